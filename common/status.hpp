@@ -1,0 +1,34 @@
+#pragma once
+
+namespace tentpole {
+
+/// What a kernel reports about one element or patch. Kernels never throw; the host turns the first bad status into an
+/// exception that names the entity (style guide, section 7).
+enum class Status : int {
+  ok = 0,
+  inverted_element = 1,        ///< spacetime volume not positive
+  not_causal = 2,              ///< inflow facet steeper than the wave speed allows
+  singular_pivot = 3,          ///< a pivot of the unpivoted elimination vanished or is not finite
+  coupling_not_converged = 4,  ///< the amplitude system of the patch did not reach its tolerance
+  residual_too_large = 5,      ///< relative residual above tolerance after refinement
+};
+
+constexpr const char* status_name(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::inverted_element:
+      return "inverted element";
+    case Status::not_causal:
+      return "inflow facet not causal";
+    case Status::singular_pivot:
+      return "singular pivot";
+    case Status::coupling_not_converged:
+      return "amplitude coupling not converged";
+    case Status::residual_too_large:
+      return "residual too large";
+  }
+  return "unknown status";
+}
+
+}  // namespace tentpole

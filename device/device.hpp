@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tentpole {
+
+enum class DeviceKind { host, virtual_cpu, gpu };
+
+/// One place where kernels can run. `number` is the OpenMP device number that `device(number)` clauses take.
+struct Device {
+  int number;    ///< >= 0 for a target device; -1 for the host, which takes no device clause
+  bool is_host;  ///< kernels run as plain loops over host memory
+  DeviceKind kind;
+  std::string name;  ///< for people
+  int num_threads;   ///< threads that a default parallel loop gets there (a GPU: teams times threads of a team)
+};
+
+/// The host itself, in every build.
+Device host_device();
+
+/// The target devices that run this program's kernels, in the order of their numbers; empty in a build without device
+/// images. Each one was probed by a target region that saw omp_is_initial_device() == 0: the runtime also lists devices
+/// when OMP_TARGET_OFFLOAD=DISABLED sends every region to the host, and MANDATORY does not fail without an image.
+std::vector<Device> available_devices();
+
+/// The device of that number; without a number the first GPU, or else the first virtual device.
+/// Throws std::runtime_error, naming the packages and the preset to use, if there is no (such) device.
+Device select_device(std::optional<int> number);
+
+}  // namespace tentpole

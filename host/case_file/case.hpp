@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/case_file/boundary_condition.hpp"
+#include "host/case_file/expression.hpp"
+#include "host/case_file/input_error.hpp"
+#include "host/case_file/material_properties.hpp"
+#include "host/mesh/box_mesh.hpp"
+
+namespace tentpole {
+
+/// [domain]: a box with a generated mesh, or a mesh file.
+struct DomainSettings {
+  int dimension = 2;
+  std::filesystem::path mesh_file;  ///< empty: the box below; otherwise resolved against the folder of the case file
+  std::array<double, 3> min{};      ///< [m], the first D
+  std::array<double, 3> max{};      ///< [m], the first D
+  std::array<int, 3> cells{};       ///< intervals per direction, the first D
+  MeshPattern pattern = MeshPattern::structured;
+  std::uint64_t seed = 1;  ///< of the unstructured pattern
+
+  bool is_box() const { return mesh_file.empty(); }
+};
+
+/// [front]
+struct FrontSettings {
+  double causality = 0.95;  ///< gamma in |grad tau| <= gamma / c, in (0, 1)
+  bool smoothing = false;   ///< inclined tent poles improve the shape of cells
+};
+
+enum class OutputField { displacement, velocity, stress, strain_energy_density, damage };
+
+/// [[output.probe]]: a point whose state is recorded.
+struct ProbeSettings {
+  std::string name;
+  std::array<double, 3> point{};  ///< [m]
+  double interval = 0;            ///< [s]; end / 200 unless given
+};
+
+/// [output]
+struct OutputSettings {
+  std::vector<double> snapshot_times;  ///< [s], ascending, in (0, end]; `snapshots = n` gives end * i / n, i = 1..n
+  std::vector<OutputField> fields{OutputField::displacement, OutputField::velocity, OutputField::stress};
+  std::vector<ProbeSettings> probes;
+  double history_interval = 0;  ///< [s]; end / 200 unless given
+};
+
+/// A run as the user described it. SI units.
+struct Case {
+  std::filesystem::path path;  ///< of the case file, as given
+  std::string title;           ///< the file's name without extension unless given
+  Constants constants;
+  DomainSettings domain;
+  std::map<std::string, MaterialProperties> materials;  ///< by region
+  std::map<std::string, BoundaryCondition> boundaries;  ///< by side or physical group; for a box every side has one
+  VectorExpression initial_displacement;                ///< [m]
+  VectorExpression initial_velocity;                    ///< [m/s]
+  VectorExpression body_force;                          ///< acceleration b [N/kg]; the force density is rho b
+  std::optional<VectorExpression> exact_displacement;   ///< [m]
+  double end_time = 0;                                  ///< [s]
+  int degree = 2;                                       ///< polynomial degree k in spacetime, 1..7
+  FrontSettings front;
+  OutputSettings output;
+  std::optional<double> checkpoint_minutes;  ///< wall-clock minutes between checkpoints; absent: none are written
+  int batch_size = 0;                        ///< [run] patches per batch; 0: the solver chooses
+  std::vector<std::string> warnings;         ///< what the user should know although the case is valid
+
+  /// Material of a region as the kernels take it. Throws InputError that names the region if it has none.
+  Material material(const std::string& region) const;
+};
+
+/// Reads and validates a case file. Each override is "section.key=value" with a TOML
+/// value, or text that is taken as a string; it replaces what the file says before anything is validated.
+/// Throws InputError with all problems of the file and the overrides at once.
+Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace tentpole

@@ -1,0 +1,41 @@
+#include "host/command_line/case_options.hpp"
+
+#include <iostream>
+#include <stdexcept>
+
+#include <dlfcn.h>
+#include <omp.h>
+
+namespace tentpole {
+namespace {
+
+void limit_threads(int threads) {
+  omp_set_num_threads(threads);
+  // Other implementations of BLAS have no such symbol, and need none.
+  using SetNumThreads = void (*)(int);
+  if (const auto set = reinterpret_cast<SetNumThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
+}
+
+}  // namespace
+
+Simulation read_simulation(const CaseOptions& options) {
+  std::vector<std::string> overrides = options.overrides;
+  if (options.seed) overrides.push_back("domain.seed=" + std::to_string(*options.seed));
+  const int num_threads = omp_get_max_threads();
+  Simulation simulation = make_simulation(read_case(options.case_file, overrides));
+  // Only now: Gmsh, which reads mesh files, sets the number of threads to 1 and may bring a BLAS.
+  limit_threads(options.threads > 0 ? options.threads : num_threads);
+  for (const std::string& warning : simulation.warnings) std::cerr << "warning: " << warning << "\n";
+  return simulation;
+}
+
+Device choose_device(bool offload, std::optional<int> number) {
+  if (!offload && !number) return host_device();
+  try {
+    return select_device(number);
+  } catch (const std::runtime_error& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace tentpole

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "device/device.hpp"
+#include "host/solver/simulation.hpp"
+
+namespace tentpole {
+
+/// What the commands that take a case file have in common.
+struct CaseOptions {
+  std::filesystem::path case_file;
+  std::vector<std::string> overrides;  ///< "section.key=value"
+  std::optional<std::uint64_t> seed;   ///< replaces domain.seed
+  int threads = 0;                     ///< 0: all of the device's
+};
+
+/// Reads the case with its overrides and makes its mesh; prints the warnings on stderr. From then on the thread pools
+/// of the program are limited: OpenMP's to options.threads, BLAS to one, because its calls come from parallel loops.
+/// Throws InputError or MeshError.
+Simulation read_simulation(const CaseOptions& options);
+
+/// The host, or with `offload` or a number the device that select_device chooses. Throws InputError, with the way out,
+/// if there is no such device.
+Device choose_device(bool offload, std::optional<int> number);
+
+}  // namespace tentpole

@@ -1,0 +1,96 @@
+#include "host/command_line/snapshot_reader.hpp"
+
+#include <utility>
+
+#include <hdf5.h>
+
+#include "host/case_file/input_error.hpp"
+
+namespace tentpole {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An HDF5 identifier that closes itself.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+  bool is_valid() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& problem) {
+  throw InputError(file.string() + ": " + problem);
+}
+
+std::vector<hsize_t> extent_of(hid_t dataset) {
+  const Handle space(H5Dget_space(dataset), H5Sclose);
+  std::vector<hsize_t> extent(H5Sget_simple_extent_ndims(space));
+  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  return extent;
+}
+
+SnapshotField read_field(const fs::path& file, hid_t parent, const std::string& path) {
+  const Handle dataset(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!dataset.is_valid()) refuse(file, "has no data set " + path + ", so it is no snapshot of tentpole.");
+  const std::vector<hsize_t> extent = extent_of(dataset);
+  SnapshotField field;
+  field.name = path.substr(path.rfind('/') + 1);
+  field.num_components = extent.size() > 1 ? static_cast<int>(extent[1]) : 1;
+  std::size_t num_values = 1;
+  for (const hsize_t count : extent) num_values *= count;
+  field.values.resize(num_values);
+  if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, field.values.data()) < 0)
+    refuse(file, "the data set " + path + " cannot be read; the file is damaged.");
+  return field;
+}
+
+extern "C" herr_t append_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->push_back(name);
+  return 0;
+}
+
+extern "C" herr_t append_dataset(hid_t object, const char* name, const H5O_info_t* info, void* rows) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  const Handle dataset(H5Dopen2(object, name, H5P_DEFAULT), H5Dclose);
+  std::string extent;
+  for (const hsize_t count : extent_of(dataset)) extent += (extent.empty() ? "" : " x ") + std::to_string(count);
+  static_cast<std::vector<std::vector<std::string>>*>(rows)->push_back({name, extent.empty() ? "1" : extent});
+  return 0;
+}
+
+}  // namespace
+
+SnapshotFile read_snapshot(const fs::path& path) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file.is_valid()) refuse(path, "cannot be read as HDF5.");
+  SnapshotFile snapshot;
+  snapshot.time = read_field(path, file, "VTKHDF/FieldData/time").values.at(0);
+  snapshot.num_points = static_cast<std::int64_t>(read_field(path, file, "VTKHDF/NumberOfPoints").values.at(0));
+  snapshot.num_cells = static_cast<std::int64_t>(read_field(path, file, "VTKHDF/NumberOfCells").values.at(0));
+  const Handle group(H5Gopen2(file, "VTKHDF/PointData", H5P_DEFAULT), H5Gclose);
+  std::vector<std::string> names;
+  hsize_t position = 0;
+  H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &position, append_name, &names);
+  for (const std::string& name : names) snapshot.fields.push_back(read_field(path, file, "VTKHDF/PointData/" + name));
+  return snapshot;
+}
+
+std::vector<std::vector<std::string>> list_hdf5_contents(const fs::path& path) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file.is_valid()) refuse(path, "cannot be read as HDF5.");
+  std::vector<std::vector<std::string>> rows;
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, append_dataset, &rows, H5O_INFO_BASIC);
+  return rows;
+}
+
+}  // namespace tentpole

@@ -1,0 +1,109 @@
+#include "host/mesh/mesh_checks.hpp"
+
+#include <cmath>
+
+#include "host/mesh/point_finder.hpp"
+#include "host/mesh/printed_number.hpp"
+#include "host/mesh/simplex_geometry.hpp"
+
+namespace tentpole {
+
+namespace {
+
+std::string printed_position(const Point& point) {
+  return "(" + printed(point[0]) + ", " + printed(point[1]) + ", " + printed(point[2]) + ")";
+}
+
+template <typename Value>
+void keep_only(std::vector<Value>& values, const std::vector<std::int32_t>& new_index) {
+  if (values.empty()) return;
+  for (std::size_t i = 0; i < new_index.size(); ++i)
+    if (new_index[i] != none) values[new_index[i]] = values[i];
+}
+
+std::string unused_vertices_warning(const MeshDescription& description, const std::vector<std::int32_t>& new_index,
+                                    int num_dropped) {
+  std::string list;
+  int num_listed = 0;
+  for (std::size_t i = 0; i < new_index.size() && num_listed < 5; ++i)
+    if (new_index[i] == none) list += (num_listed++ > 0 ? ", " : "") + description.vertex_label(static_cast<int>(i));
+  return description.source + ": " + std::to_string(num_dropped) + " vertices belong to no cell and are dropped (" +
+         list + (num_dropped > num_listed ? ", ...)." : ").");
+}
+
+}  // namespace
+
+void drop_unused_vertices(MeshDescription& description, std::vector<std::string>& warnings) {
+  std::vector<std::int32_t> new_index(description.vertices.size(), none);
+  for (const CellVertices& cell : description.cells)
+    for (int corner = 0; corner <= description.dimension; ++corner) new_index[cell[corner]] = 0;
+  std::int32_t num_kept = 0;
+  for (std::int32_t& index : new_index)
+    if (index != none) index = num_kept++;
+  const int num_dropped = static_cast<int>(new_index.size()) - num_kept;
+  if (num_dropped == 0) return;
+  warnings.push_back(unused_vertices_warning(description, new_index, num_dropped));
+  keep_only(description.vertices, new_index);
+  keep_only(description.vertex_number, new_index);
+  description.vertices.resize(num_kept);
+  if (!description.vertex_number.empty()) description.vertex_number.resize(num_kept);
+  for (CellVertices& cell : description.cells)
+    for (int corner = 0; corner <= description.dimension; ++corner) cell[corner] = new_index[cell[corner]];
+  std::erase_if(description.named_facets, [&](const NamedFacet& facet) {
+    for (int i = 0; i < description.dimension; ++i)
+      if (new_index[facet.vertices[i]] == none) return true;
+    return false;
+  });
+  for (NamedFacet& facet : description.named_facets)
+    for (int i = 0; i < description.dimension; ++i) facet.vertices[i] = new_index[facet.vertices[i]];
+}
+
+void check_vertices(const MeshDescription& description) {
+  const auto& vertices = description.vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (int axis = 0; axis < max_dimension; ++axis)
+      if (!std::isfinite(vertices[i][axis]))
+        throw MeshError(description.source, description.vertex_label(static_cast<int>(i)),
+                        "its position is " + printed_position(vertices[i]) + ". Coordinates must be finite.");
+  const double tolerance = PointFinder::default_tolerance(vertices);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (int axis = description.dimension; axis < max_dimension; ++axis)
+      if (std::abs(vertices[i][axis]) > tolerance)
+        throw MeshError(description.source, description.vertex_label(static_cast<int>(i)),
+                        "its position is " + printed_position(vertices[i]) + ", but a mesh of dimension " +
+                            std::to_string(description.dimension) + " must lie " +
+                            (description.dimension == 1 ? "on the x axis." : "in the plane z = 0.") +
+                            " Move it there, or set \"dimension\".");
+  const PointFinder finder(vertices, tolerance);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::int32_t other = finder.find(vertices[i], static_cast<std::int32_t>(i));
+    if (other != none)
+      throw MeshError(
+          description.source, description.vertex_label(static_cast<int>(i)) + " and " + description.vertex_label(other),
+          "both lie at " + printed_position(vertices[i]) + ". Merge duplicate vertices (in Gmsh: Coherence Mesh).");
+  }
+}
+
+void check_cells(const MeshDescription& description) {
+  if (description.cells.empty())
+    throw MeshError(description.source, "",
+                    "there is no " + description.cell_kind() + " in the mesh, but \"dimension\" is " +
+                        std::to_string(description.dimension) + ". Mesh the domain, or set the dimension.");
+  for (int cell = 0; cell < static_cast<int>(description.cells.size()); ++cell) {
+    const CellVertices& vertices = description.cells[cell];
+    if (description.cell_region[cell] == none)
+      throw MeshError(description.source, description.cell_label(cell),
+                      "belongs to no region. Put it into a physical group of dimension " +
+                          std::to_string(description.dimension) + ".");
+    std::array<Point, SpaceMesh::max_corners> corners{};
+    for (int i = 0; i <= description.dimension; ++i) corners[i] = description.vertices[vertices[i]];
+    const double measure = std::abs(signed_simplex_measure(description.dimension, corners));
+    const double longest = longest_edge(description.dimension, corners);
+    if (!(measure > 1e-10 * std::pow(longest, description.dimension)))
+      throw MeshError(description.source, description.cell_label(cell),
+                      "is degenerate: its measure is " + printed(measure) + ", its longest edge " + printed(longest) +
+                          ". Repair the mesh.");
+  }
+}
+
+}  // namespace tentpole

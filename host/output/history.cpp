@@ -1,0 +1,145 @@
+#include "host/output/history.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "common/exact_sum.hpp"
+#include "host/output/binary_stream.hpp"
+#include "host/output/csv_file.hpp"
+#include "host/output/output_times.hpp"
+
+namespace tentpole {
+namespace {
+
+constexpr const char* header =
+    "time,kinetic,strain,external_work,numerical,fracture,friction,crack_length,damage_mean,damage_max,nucleations,"
+    "extensions,branches,coalescences,fragments,cells,smallest_cell";
+
+struct FlowSums {
+  ExactSum external_work, numerical, fracture, friction;
+
+  void add(const EnergyFlow& flow, double share) {
+    external_work += share * flow.external_work;
+    numerical += share * flow.numerical;
+    fracture += share * flow.fracture;
+    friction += share * flow.friction;
+  }
+  void add(const FlowSums& other) {
+    external_work += other.external_work;
+    numerical += other.numerical;
+    fracture += other.fracture;
+    friction += other.friction;
+  }
+};
+
+struct Row {
+  ExactSum kinetic, strain;
+  FlowSums partial;   ///< shares of flows that this row cuts
+  FlowSums complete;  ///< flows that are complete at this row and not at the row before
+};
+
+}  // namespace
+
+struct History::Impl {
+  CsvFile file;
+  std::vector<double> times;
+  std::vector<Row> rows;
+  FlowSums passed;  ///< flows complete at the last written row
+  int num_written = 0;
+
+  std::string line(int index, const FlowSums& cumulative, const FrontState& state) const;
+};
+
+std::string History::Impl::line(int index, const FlowSums& cumulative, const FrontState& state) const {
+  std::string text;
+  for (const double value :
+       {times[index], rows[index].kinetic.value(), rows[index].strain.value(), cumulative.external_work.value(),
+        cumulative.numerical.value(), cumulative.fracture.value(), cumulative.friction.value(), state.crack_length,
+        state.damage_mean, state.damage_max}) {
+    append_number(text, value);
+    text += ',';
+  }
+  for (const std::int64_t count :
+       {state.nucleations, state.extensions, state.branches, state.coalescences, state.fragments, state.cells})
+    text += std::to_string(count) + ',';
+  append_number(text, state.smallest_cell);
+  return text + '\n';
+}
+
+History::History(const std::filesystem::path& folder, double interval, double end) {
+  std::vector<double> times = times_at_interval(interval, end);
+  std::filesystem::create_directories(folder);
+  impl_ = std::make_unique<Impl>(Impl{.file = CsvFile(folder / "history.csv", header),
+                                      .times = times,
+                                      .rows = std::vector<Row>(times.size()),
+                                      .passed = {},
+                                      .num_written = 0});
+}
+
+History::~History() = default;
+History::History(History&&) noexcept = default;
+History& History::operator=(History&&) noexcept = default;
+
+const std::vector<double>& History::times() const {
+  return impl_->times;
+}
+
+OutputRange History::rows(double time_min, double time_max) const {
+  return covered_times(impl_->times, time_min, time_max);
+}
+
+void History::add_energy(int row, double kinetic, double strain) {
+  if (row < impl_->num_written || row >= static_cast<int>(impl_->rows.size()))
+    throw std::logic_error("history row " + std::to_string(row) + " is written already or does not exist");
+  impl_->rows[row].kinetic += kinetic;
+  impl_->rows[row].strain += strain;
+}
+
+void History::add_interval(double time_min, double time_max, const EnergyFlow& flow) {
+  const auto& times = impl_->times;
+  if (!(time_min < time_max))
+    throw std::logic_error("energy flow over an empty time range at t = " + std::to_string(time_min) + " s");
+  const auto first = std::upper_bound(times.begin(), times.end(), time_min) - times.begin();
+  const auto last = std::lower_bound(times.begin(), times.end(), time_max) - times.begin();
+  if (first < impl_->num_written)
+    throw std::logic_error("energy flow from t = " + std::to_string(time_min) +
+                           " s belongs to history rows already written");
+  for (auto row = first; row < last; ++row)
+    impl_->rows[row].partial.add(flow, (times[row] - time_min) / (time_max - time_min));
+  // Flows that end after the last row have no row in which they are complete.
+  if (last < static_cast<std::ptrdiff_t>(times.size())) impl_->rows[last].complete.add(flow, 1);
+}
+
+void History::finish(double front_minimum_time, const FrontState& state) {
+  std::string lines;
+  int& index = impl_->num_written;
+  for (; index < static_cast<int>(impl_->rows.size()); ++index) {
+    if (!front_has_passed(front_minimum_time, impl_->times[index])) break;
+    impl_->passed.add(impl_->rows[index].complete);
+    FlowSums cumulative = impl_->passed;
+    cumulative.add(impl_->rows[index].partial);
+    lines += impl_->line(index, cumulative, state);
+  }
+  if (!lines.empty()) impl_->file.append(lines);
+}
+
+void History::save(std::ostream& stream) const {
+  impl_->file.save(stream);
+  write_value(stream, impl_->num_written);
+  write_value(stream, impl_->passed);
+  write_vector(stream, impl_->rows);
+}
+
+void History::load(std::istream& stream) {
+  impl_->file.load(stream);
+  impl_->num_written = read_value<int>(stream);
+  impl_->passed = read_value<FlowSums>(stream);
+  std::vector<Row> rows = read_vector<Row>(stream);
+  if (rows.size() != impl_->rows.size())
+    throw std::runtime_error("the checkpoint has " + std::to_string(rows.size()) + " history rows and the case " +
+                             std::to_string(impl_->rows.size()) + "; resume with the case file of the checkpoint");
+  impl_->rows = std::move(rows);
+}
+
+}  // namespace tentpole

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <memory>
+#include <vector>
+
+#include "host/output/time_coverage.hpp"
+
+namespace tentpole {
+
+/// Work done and energy lost in one element or patch between two times [J, per unit of the missing dimensions].
+struct EnergyFlow {
+  double external_work = 0;
+  double numerical = 0;  ///< numerical dissipation, >= 0
+  double fracture = 0;
+  double friction = 0;
+};
+
+/// State of the front that is noted in a row when the front has passed its time.
+struct FrontState {
+  double crack_length = 0;  ///< [m^(D-1)], surfaces with D >= 0.999
+  double damage_mean = 0;   ///< over all fracture surfaces present
+  double damage_max = 0;
+  std::int64_t nucleations = 0;
+  std::int64_t extensions = 0;
+  std::int64_t branches = 0;
+  std::int64_t coalescences = 0;
+  std::int64_t fragments = 0;
+  std::int64_t cells = 0;
+  double smallest_cell = 0;  ///< [m], shortest edge
+};
+
+/// history.csv: one row per output time, columns time [s], kinetic, strain, external_work, numerical, fracture,
+/// friction [J], crack_length [m], damage_mean, damage_max, nucleations, extensions, branches, coalescences, fragments,
+/// cells, smallest_cell [m]. Energies are exact sums (common/exact_sum.hpp), so the order of the calls does not matter.
+/// external_work, numerical, fracture and friction are cumulative from t = 0. Not thread safe.
+class History {
+ public:
+  /// Rows at 0, interval, 2 interval, .., end [s] (`end` always the last); nothing is written before the
+  /// first finish(), which replaces an older file.
+  /// Throws std::invalid_argument unless 0 < interval and 0 < end, std::runtime_error if the file cannot be written.
+  History(const std::filesystem::path& folder, double interval, double end);
+  ~History();
+  History(History&&) noexcept;
+  History& operator=(History&&) noexcept;
+
+  const std::vector<double>& times() const;
+
+  /// The rows that an element with this time range covers.
+  OutputRange rows(double time_min, double time_max) const;
+
+  /// Adds one element's energies on the slice of `row` (kernels/slice_energies.hpp).
+  void add_energy(int row, double kinetic, double strain);
+
+  /// Spreads `flow` linearly over [time_min, time_max]: a row in between gets the share of the time range before it.
+  /// Elements are shorter than the row interval, so a row is off by at most what its cut elements exchange; rows on a
+  /// flat front (the end) are exact.
+  void add_interval(double time_min, double time_max, const EnergyFlow& flow);
+
+  /// Appends and flushes the rows that the front has passed, whole lines only, each with `state`.
+  void finish(double front_minimum_time, const FrontState& state);
+
+  /// For checkpoints; `load` cuts the file back to the saved rows.
+  void save(std::ostream& stream) const;
+  void load(std::istream& stream);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tentpole

@@ -1,0 +1,181 @@
+#include "host/output/snapshot_series.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "host/output/binary_stream.hpp"
+#include "host/output/output_times.hpp"
+#include "host/output/series_writer.hpp"
+
+namespace tentpole {
+namespace {
+
+struct FieldKind {
+  const char* name;
+  int num_components;
+};
+constexpr FieldKind field_kinds[] = {
+    {"displacement", 3}, {"velocity", 3}, {"stress", 6}, {"strain_energy_density", 1}, {"damage", 0}};
+
+const FieldKind& find_field(const std::string& name) {
+  for (const FieldKind& kind : field_kinds)
+    if (kind.name == name) return kind;
+  throw std::invalid_argument(
+      "output field \"" + name +
+      "\" is unknown; allowed are displacement, velocity, stress, strain_energy_density, damage");
+}
+
+/// Appends the wanted fields at one point. "damage" lives on fracture surfaces and adds nothing to a volume snapshot.
+void append_values(const std::vector<std::string>& names, const PointFields& fields, std::vector<double>& values) {
+  const auto append = [&](const auto& array) { values.insert(values.end(), array.begin(), array.end()); };
+  for (const std::string& name : names) {
+    if (name == "displacement") append(fields.displacement);
+    if (name == "velocity") append(fields.velocity);
+    if (name == "stress") append(fields.stress);
+    if (name == "strain_energy_density") values.push_back(fields.strain_energy_density);
+  }
+}
+
+std::string snapshot_name(int index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "snapshot_%04d.vtkhdf", index);
+  return name;
+}
+
+/// Splits the mixed point values of a piece into the grid's arrays.
+void append_point_data(const SnapshotPiece& piece, std::vector<GridArray<double>>& arrays) {
+  auto value = piece.values.begin();
+  for (std::size_t point = 0; point < piece.cells.points.size(); ++point)
+    for (GridArray<double>& array : arrays) {
+      array.values.insert(array.values.end(), value, value + array.num_components);
+      value += array.num_components;
+    }
+}
+
+void append_piece(const SnapshotPiece& piece, std::int64_t number, UnstructuredGrid& grid) {
+  const auto first_point = static_cast<std::int64_t>(grid.points.size() / 3);
+  for (const auto& point : piece.cells.points) grid.points.insert(grid.points.end(), point.begin(), point.end());
+  for (const int corner : piece.cells.connectivity) grid.connectivity.push_back(first_point + corner);
+  const int corners = num_corners(piece.cells.shape);
+  const auto num_cells = piece.cells.connectivity.size() / corners;
+  for (std::size_t cell = 0; cell < num_cells; ++cell) grid.offsets.push_back(grid.offsets.back() + corners);
+  grid.types.insert(grid.types.end(), num_cells, static_cast<std::uint8_t>(piece.cells.shape));
+  grid.cell_numbers[0].values.insert(grid.cell_numbers[0].values.end(), num_cells, number);
+  grid.cell_numbers[1].values.insert(grid.cell_numbers[1].values.end(), num_cells, piece.region);
+  append_point_data(piece, grid.point_data);
+}
+
+void save_piece(std::ostream& stream, const SnapshotPiece& piece) {
+  write_value(stream, piece.place);
+  write_value(stream, piece.id);
+  write_value(stream, piece.region);
+  write_value(stream, piece.cells.shape);
+  write_vector(stream, piece.cells.points);
+  write_vector(stream, piece.cells.connectivity);
+  write_vector(stream, piece.values);
+}
+
+SnapshotPiece load_piece(std::istream& stream) {
+  SnapshotPiece piece;
+  piece.place = read_value<std::array<double, 4>>(stream);
+  piece.id = read_value<std::int64_t>(stream);
+  piece.region = read_value<std::int64_t>(stream);
+  piece.cells.shape = read_value<SliceShape>(stream);
+  piece.cells.points = read_vector<std::array<double, 3>>(stream);
+  piece.cells.connectivity = read_vector<int>(stream);
+  piece.values = read_vector<double>(stream);
+  return piece;
+}
+
+}  // namespace
+
+SnapshotSeries::SnapshotSeries(Options options) : options_(std::move(options)), pieces_(options_.times.size()) {
+  check_output_times(options_.times, "snapshots");
+  for (std::size_t i = 0; i < options_.fields.size(); ++i) {
+    find_field(options_.fields[i]);
+    if (std::find(options_.fields.begin(), options_.fields.begin() + i, options_.fields[i]) !=
+        options_.fields.begin() + i)
+      throw std::invalid_argument("output field \"" + options_.fields[i] + "\" is named twice; name it once");
+  }
+}
+
+void SnapshotSeries::record(const SpacetimeElement& element, const ElementFields& fields) {
+  const int dimension = element.dimension;
+  const OutputRange indices = range(element.time_min(), element.time_max());
+  for (int index = indices.first; index < indices.last; ++index) {
+    const double time = options_.times[index];
+    if (index < num_written_)
+      throw std::logic_error("element " + std::to_string(element.id) + " covers snapshot " + std::to_string(index) +
+                             ", which was written before; finish() was called with a front time that is too late");
+    const std::optional<Slice> slice = slice_element(element, time);
+    if (!slice) continue;
+    SnapshotPiece piece{
+        element.centroid(), element.id, element.region, subdivide(*slice, options_.num_subdivisions), {}};
+    for (const auto& point : piece.cells.points) {
+      std::array<double, 4> event{point[0], point[1], point[2], 0};
+      event[dimension] = time;
+      PointFields value = fields.at(std::span(event).first(dimension + 1));
+      if (options_.plane_stress) value.stress[2] = 0;
+      append_values(options_.fields, value, piece.values);
+    }
+    pieces_[index].push_back(std::move(piece));
+  }
+}
+
+void SnapshotSeries::finish(double front_minimum_time) {
+  const int num_times = static_cast<int>(options_.times.size());
+  while (num_written_ < num_times && front_has_passed(front_minimum_time, options_.times[num_written_])) {
+    write_snapshot(num_written_);
+    ++num_written_;
+    write_series_file();
+  }
+}
+
+void SnapshotSeries::write_snapshot(int index) {
+  std::vector<SnapshotPiece> pieces = std::move(pieces_[index]);
+  pieces_[index] = {};
+  std::sort(pieces.begin(), pieces.end(), [](const SnapshotPiece& a, const SnapshotPiece& b) {
+    return std::tie(a.place, a.id) < std::tie(b.place, b.id);
+  });
+  UnstructuredGrid grid;
+  grid.time = options_.times[index];
+  grid.cell_numbers = {{"element", 1, {}}, {"region", 1, {}}};
+  for (const std::string& name : options_.fields)
+    if (const int num_components = find_field(name).num_components)
+      grid.point_data.push_back({name, num_components, {}});
+  for (std::size_t number = 0; number < pieces.size(); ++number)
+    append_piece(pieces[number], static_cast<std::int64_t>(number), grid);
+  write_vtkhdf(options_.folder / snapshot_name(index), grid);
+}
+
+void SnapshotSeries::write_series_file() const {
+  std::vector<SeriesEntry> entries;
+  for (int index = 0; index < num_written_; ++index) entries.push_back({snapshot_name(index), options_.times[index]});
+  write_series(options_.folder / "snapshot.vtkhdf.series", entries);
+}
+
+void SnapshotSeries::save(std::ostream& stream) const {
+  write_value(stream, num_written_);
+  write_value(stream, pieces_.size());
+  for (const auto& pieces : pieces_) {
+    write_value(stream, pieces.size());
+    for (const SnapshotPiece& piece : pieces) save_piece(stream, piece);
+  }
+}
+
+void SnapshotSeries::load(std::istream& stream) {
+  num_written_ = read_value<int>(stream);
+  const auto num_times = read_value<std::size_t>(stream);
+  if (num_times != options_.times.size())
+    throw std::runtime_error("the checkpoint has " + std::to_string(num_times) + " snapshot times and the case " +
+                             std::to_string(options_.times.size()) + "; resume with the case file of the checkpoint");
+  for (auto& pieces : pieces_) {
+    pieces.clear();
+    for (auto left = read_value<std::size_t>(stream); left > 0; --left) pieces.push_back(load_piece(stream));
+  }
+}
+
+}  // namespace tentpole

@@ -1,0 +1,68 @@
+#include "host/solver/advance_front.hpp"
+
+#include <utility>
+
+#include "device/work_queue.hpp"
+#include "host/solver/take_back.hpp"
+
+namespace tentpole {
+namespace {
+
+void build(SolverState& state, HostBatch& batch, int max_patches) {
+  ScopedStage stage(state.timer, Stage::meshing);
+  state.builder.build(batch, max_patches);
+  state.ledger.mark_wanted(batch);
+}
+
+void commit(SolverState& state, const HostBatch& batch, bool check) {
+  ScopedStage stage(state.timer, Stage::output);
+  const double front_time = state.simulation.time_in_seconds(batch.front_minimum_time);
+  state.is_committing = true;
+  state.ledger.commit(batch, check);
+  state.recorder.finish(front_time);
+  FrontState front;
+  front.cells = state.simulation.mesh.num_cells();
+  front.smallest_cell = state.simulation.smallest_edge;
+  state.history.finish(front_time, front);
+  state.is_committing = false;
+}
+
+/// The batches on their way.
+struct Pipeline {
+  HostBatch pitched, running, solved;
+};
+
+bool advance(SolverState& state, const AdvanceOptions& options, Pipeline& pipeline) {
+  auto& [pitched, running, solved] = pipeline;
+  WorkQueue queue;
+  bool keep_going = true;
+  do {
+    pitched.clear();
+    if (keep_going) build(state, pitched, options.max_patches);  // the device solves `running` meanwhile
+    queue.wait();
+    std::swap(solved, running);
+    std::swap(running, pitched);
+    if (!running.patches.empty()) queue.submit([&] { state.runner.run(running); });
+    if (!solved.patches.empty()) {
+      commit(state, solved, options.check);
+      keep_going = options.after_batch(state.simulation.time_in_seconds(solved.front_minimum_time)) && keep_going;
+      solved.clear();
+    }
+  } while (!running.patches.empty());
+  return keep_going;
+}
+
+}  // namespace
+
+bool advance_front(SolverState& state, const AdvanceOptions& options) {
+  Pipeline pipeline;
+  try {
+    return advance(state, options, pipeline);
+  } catch (...) {
+    for (const HostBatch* batch : {&pipeline.pitched, &pipeline.running})
+      take_back(*batch, state.simulation.mesh, state.front, state.sources);
+    throw;
+  }
+}
+
+}  // namespace tentpole

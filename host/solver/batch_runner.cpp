@@ -1,0 +1,232 @@
+#include "host/solver/batch_runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "host/solver/dense_fallback.hpp"
+
+namespace tentpole {
+namespace {
+
+/// Threads that each solve whole patches on a CPU; teams of 128 lanes on a GPU.
+PatchSolverShape solver_shape(const Device& device, int threads) {
+  constexpr int gpu_teams = 1056, gpu_lanes = 128;
+  if (device.kind == DeviceKind::gpu) return {gpu_teams, gpu_lanes};
+  return {threads > 0 ? threads : device.num_threads, 1};
+}
+
+}  // namespace
+
+BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,
+                         TrafficCounters& traffic)
+    : simulation_(simulation),
+      device_(device),
+      shape_(solver_shape(device, threads)),
+      timer_(timer),
+      traffic_(traffic),
+      host_tables_(simulation.dimension(), simulation.degree()),
+      host_slice_tables_(simulation.dimension(), simulation.degree()),
+      tables_(device, traffic, std::ssize(host_tables_.block())),
+      slice_tables_(device, traffic, std::ssize(host_slice_tables_.block())),
+      materials_(device, traffic, std::ssize(simulation.scaled_materials)),
+      coefficients_(device, traffic),
+      inverse_jacobians_(device, traffic),
+      patches_(device, traffic),
+      elements_(device, traffic),
+      prescribed_(device, traffic),
+      records_(device, traffic),
+      slice_requests_(device, traffic),
+      slice_energies_(device, traffic),
+      scratch_(device, traffic),
+      cycles_(device, traffic, shape_.workers),
+      slots_(device, traffic) {
+  tables_.upload(host_tables_.block());
+  slice_tables_.upload(host_slice_tables_.block());
+  materials_.upload(simulation.scaled_materials);
+}
+
+void BatchRunner::run(HostBatch& batch) {
+  {
+    ScopedStage stage(timer_, Stage::transfer);
+    prepare_memory(batch);
+    upload(batch);
+  }
+  launch(batch);
+  {
+    ScopedStage stage(timer_, Stage::transfer);
+    download(batch);
+  }
+  repair_failed_patches(batch);
+  compute_slice_energies(batch);
+  gather_wanted(batch);
+}
+
+void BatchRunner::compute_slice_energies(HostBatch& batch) {
+  if (batch.slice_requests.empty()) return;
+  SliceEnergyTask slices{};
+  {
+    ScopedStage stage(timer_, Stage::transfer);
+    slice_requests_.resize_discarding(std::ssize(batch.slice_requests));
+    slice_energies_.resize_discarding(2 * std::ssize(batch.slice_requests));
+    slice_requests_.upload(batch.slice_requests);
+  }
+  slices.batch = device_batch(batch);
+  slices.tables = host_tables_.view(tables_.pointer());
+  slices.slice_tables = host_slice_tables_.view(slice_tables_.pointer());
+  slices.num_requests = static_cast<int>(batch.slice_requests.size());
+  slices.requests = slice_requests_.pointer();
+  slices.energies = slice_energies_.pointer();
+  slices.shape = shape_;
+  {
+    ScopedStage stage(timer_, Stage::post_solution);
+    if (device_.is_host) {
+      slice_energies_host(slices);
+    } else {
+      traffic_.count_launch(sizeof slices);
+      slice_energies_device(slices, device_.number);
+    }
+  }
+  ScopedStage stage(timer_, Stage::transfer);
+  batch.slice_energies.resize(2 * batch.slice_requests.size());
+  slice_energies_.download(batch.slice_energies);
+}
+
+void BatchRunner::gather_wanted(HostBatch& batch) {
+  ScopedStage stage(timer_, Stage::transfer);
+  const int n = host_tables_.view().num_unknowns;
+  std::vector<std::int32_t> slots;
+  for (const std::int32_t element : batch.wanted) slots.push_back(batch.elements[element].result_slot);
+  batch.wanted_coefficients.resize(slots.size() * n);
+  if (!slots.empty()) slots_.gather(coefficients_, n, slots, batch.wanted_coefficients);
+}
+
+void BatchRunner::prepare_memory(const HostBatch& batch) {
+  const ReferenceTablesView tables = host_tables_.view();
+  const std::int64_t d = tables.dimension + 1, slots = batch.num_slots;
+  if (coefficients_.size() < slots * tables.num_unknowns) {
+    coefficients_.grow_keeping(slots * tables.num_unknowns);
+    inverse_jacobians_.grow_keeping(slots * d * d);
+  }
+  patches_.resize_discarding(std::ssize(batch.patches));
+  elements_.resize_discarding(std::ssize(batch.elements));
+  prescribed_.resize_discarding(std::ssize(batch.prescribed));
+  records_.resize_discarding(std::ssize(batch.elements));
+  const long needed = patch_scratch_size(tables, batch.largest_patch, shape_.lanes);
+  if (needed > scratch_stride_) {
+    scratch_stride_ = needed;
+    scratch_.resize_discarding(scratch_stride_ * shape_.workers);
+  }
+}
+
+void BatchRunner::upload(const HostBatch& batch) {
+  patches_.upload(batch.patches);
+  elements_.upload(batch.elements);
+  if (!batch.prescribed.empty()) prescribed_.upload(batch.prescribed);
+  cycles_.upload(std::vector<StageCycles>(shape_.workers));
+}
+
+PatchBatch BatchRunner::device_batch(const HostBatch& batch) {
+  PatchBatch on_device{};
+  on_device.num_patches = static_cast<int>(batch.patches.size());
+  on_device.num_elements = static_cast<int>(batch.elements.size());
+  on_device.patches = patches_.pointer();
+  on_device.elements = elements_.pointer();
+  on_device.prescribed = prescribed_.pointer();
+  on_device.materials = materials_.pointer();
+  on_device.coefficients = coefficients_.pointer();
+  on_device.inverse_jacobians = inverse_jacobians_.pointer();
+  on_device.records = records_.pointer();
+  return on_device;
+}
+
+PatchSolverTask BatchRunner::task(const HostBatch& batch) {
+  PatchSolverTask task{};
+  task.batch = device_batch(batch);
+  task.tables = host_tables_.view(tables_.pointer());
+  task.scratch = scratch_.pointer();
+  task.scratch_stride = scratch_stride_;
+  task.cycles = cycles_.pointer();
+  task.shape = shape_;
+  return task;
+}
+
+void BatchRunner::launch(const HostBatch& batch) {
+  const auto start = std::chrono::steady_clock::now();
+  const PatchSolverTask launched = task(batch);
+  if (device_.is_host) {
+    solve_patches_host(launched);
+  } else {
+    traffic_.count_launch(sizeof launched);
+    solve_patches_device(launched, device_.number);
+  }
+  const auto elapsed = std::chrono::steady_clock::now() - start;
+  std::vector<StageCycles> cycles(shape_.workers);
+  cycles_.download(cycles);
+  StageCycles sum;
+  for (const StageCycles& worker : cycles) {
+    sum.assembly += worker.assembly;
+    sum.solution += worker.solution;
+    sum.post_solution += worker.post_solution;
+  }
+  const double all = std::max<double>(1, static_cast<double>(sum.assembly + sum.solution + sum.post_solution));
+  const auto share = [&](long long part) {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed * (static_cast<double>(part) / all));
+  };
+  timer_.add(Stage::assembly, share(sum.assembly));
+  timer_.add(Stage::solution, share(sum.solution));
+  timer_.add(Stage::post_solution, share(sum.post_solution));
+}
+
+void BatchRunner::download(HostBatch& batch) {
+  batch.records.resize(batch.elements.size());
+  records_.download(batch.records);
+  const ReferenceTablesView tables = host_tables_.view();
+  for (std::size_t e = 0; e < batch.elements.size(); ++e) {
+    int ports = 0;
+    for (int facet = 0; facet <= tables.dimension; ++facet) ports += batch.elements[e].neighbor[facet] != none;
+    batch.modelled_flops += flops_per_element(tables, ports, batch.records[e].num_iterations);
+  }
+}
+
+void BatchRunner::repair_failed_patches(HostBatch& batch) {
+  for (const PatchDescriptor& patch : batch.patches) {
+    const Status status = static_cast<Status>(batch.records[patch.first_element].status);
+    if (status == Status::ok) continue;
+    std::vector<std::int32_t> slots;
+    for (int e = 0; e < patch.num_elements; ++e) {
+      const std::int32_t slot = batch.elements[patch.first_element + e].source_slot;
+      if (slot != none) slots.push_back(slot);
+    }
+    DenseFallback fallback(batch, patch, simulation_, host_tables_);
+    std::vector<double> coefficients, inverse_jacobians;
+    read_slots(slots, coefficients, inverse_jacobians);
+    fallback.solve(slots, coefficients, inverse_jacobians);
+    write_slots(fallback.result_slots(), fallback.coefficients(), fallback.inverse_jacobians());
+    ++num_fallbacks_;
+  }
+}
+
+void BatchRunner::read_slots(std::span<const std::int32_t> slots, std::vector<double>& coefficients,
+                             std::vector<double>& inverse_jacobians) {
+  const std::int64_t n = host_tables_.view().num_unknowns, d = simulation_.dimension() + 1;
+  coefficients.resize(slots.size() * n);
+  inverse_jacobians.resize(slots.size() * d * d);
+  if (slots.empty()) return;
+  slots_.gather(coefficients_, n, slots, coefficients);
+  slots_.gather(inverse_jacobians_, d * d, slots, inverse_jacobians);
+}
+
+void BatchRunner::write_slots(std::span<const std::int32_t> slots, std::span<const double> coefficients,
+                              std::span<const double> inverse_jacobians) {
+  if (slots.empty()) return;
+  const std::int64_t n = host_tables_.view().num_unknowns, d = simulation_.dimension() + 1;
+  const std::int64_t needed = *std::max_element(slots.begin(), slots.end()) + 1;
+  if (coefficients_.size() < needed * n) {
+    coefficients_.grow_keeping(needed * n);
+    inverse_jacobians_.grow_keeping(needed * d * d);
+  }
+  slots_.scatter(coefficients_, n, slots, coefficients);
+  slots_.scatter(inverse_jacobians_, d * d, slots, inverse_jacobians);
+}
+
+}  // namespace tentpole

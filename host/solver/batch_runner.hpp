@@ -1,0 +1,71 @@
+#pragma once
+
+#include "device/device_buffer.hpp"
+#include "device/gather_slots.hpp"
+#include "device/stage_timer.hpp"
+#include "host/solver/host_batch.hpp"
+#include "host/solver/simulation.hpp"
+#include "kernels/patch_solver.hpp"
+
+namespace tentpole {
+
+/// Owns everything that lives on the device for the whole run (reference tables, materials, element store, scratch) and
+/// runs batches there: up go the descriptors and prescribed data, down come one record per element, energies on history
+/// slices and the coefficients that other output asks for. Used by one thread at a time.
+class BatchRunner {
+ public:
+  /// `threads`: 0 for all of the device's.
+  BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,
+              TrafficCounters& traffic);
+
+  /// Solves all patches of the batch and fills records, slice_energies, wanted_coefficients and modelled_flops. Patches
+  /// whose check fails are solved again by pivoted dense LU on the host. Throws std::runtime_error naming the cell,
+  /// place and time when that fails too.
+  void run(HostBatch& batch);
+
+  std::int64_t num_fallbacks() const { return num_fallbacks_; }
+  int num_threads() const { return shape_.workers; }
+
+  /// Rows of the element store, for checkpoints.
+  void read_slots(std::span<const std::int32_t> slots, std::vector<double>& coefficients,
+                  std::vector<double>& inverse_jacobians);
+  void write_slots(std::span<const std::int32_t> slots, std::span<const double> coefficients,
+                   std::span<const double> inverse_jacobians);
+
+ private:
+  void prepare_memory(const HostBatch& batch);
+  void upload(const HostBatch& batch);
+  void launch(const HostBatch& batch);
+  void download(HostBatch& batch);
+  void repair_failed_patches(HostBatch& batch);
+  void compute_slice_energies(HostBatch& batch);
+  void gather_wanted(HostBatch& batch);
+  PatchBatch device_batch(const HostBatch& batch);
+  PatchSolverTask task(const HostBatch& batch);
+
+  const Simulation& simulation_;
+  Device device_;
+  PatchSolverShape shape_;
+  StageTimer& timer_;
+  TrafficCounters& traffic_;
+  ReferenceTables host_tables_;
+  SliceTables host_slice_tables_;
+  DeviceBuffer<double> tables_;
+  DeviceBuffer<double> slice_tables_;
+  DeviceBuffer<Material> materials_;
+  DeviceBuffer<double> coefficients_;
+  DeviceBuffer<double> inverse_jacobians_;
+  DeviceBuffer<PatchDescriptor> patches_;
+  DeviceBuffer<ElementDescriptor> elements_;
+  DeviceBuffer<double> prescribed_;
+  DeviceBuffer<ElementRecord> records_;
+  DeviceBuffer<SliceRequest> slice_requests_;
+  DeviceBuffer<double> slice_energies_;
+  DeviceBuffer<double> scratch_;
+  DeviceBuffer<StageCycles> cycles_;
+  SlotTransfer slots_;
+  long scratch_stride_ = 0;
+  std::int64_t num_fallbacks_ = 0;
+};
+
+}  // namespace tentpole

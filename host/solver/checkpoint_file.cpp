@@ -1,0 +1,208 @@
+#include "host/solver/checkpoint_file.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+#include <hdf5.h>
+
+#include "host/case_file/input_error.hpp"
+#include "host/output/atomic_file.hpp"
+
+namespace tentpole {
+namespace {
+
+constexpr std::string_view format_name = "tentpole checkpoint";
+/// Raise it whenever the data sets, or what ledger, recorder and history write into theirs, change.
+constexpr std::int64_t format_version = 1;
+
+/// An HDF5 identifier that closes itself; throws where HDF5 reports an error.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& action) : id_(id), close_(close) {
+    if (id < 0) throw std::runtime_error("HDF5 cannot " + action);
+  }
+  ~Handle() { close_(id_); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void require(herr_t result, const std::string& action) {
+  if (result < 0) throw std::runtime_error("HDF5 cannot " + action);
+}
+
+/// Keeps HDF5 from printing its own error stack; ours says the same in one line.
+class QuietErrors {
+ public:
+  QuietErrors() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+hid_t memory_type(double) {
+  return H5T_NATIVE_DOUBLE;
+}
+hid_t memory_type(std::int64_t) {
+  return H5T_NATIVE_INT64;
+}
+hid_t memory_type(std::int32_t) {
+  return H5T_NATIVE_INT32;
+}
+hid_t memory_type(char) {
+  return H5T_NATIVE_CHAR;
+}
+
+/// Settings as text: key and value end with a zero byte each, because expressions may have several lines.
+std::string joined(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const auto& [key, value] : settings) text += key + '\0' + value + '\0';
+  return text;
+}
+
+std::vector<Setting> split(const std::string& text) {
+  std::vector<Setting> settings;
+  std::istringstream stream(text);
+  for (std::string key, value; std::getline(stream, key, '\0') && std::getline(stream, value, '\0');)
+    settings.emplace_back(key, value);
+  return settings;
+}
+
+/// Creates the data sets of a file. Chunks carry Fletcher's checksum, so a flipped bit is an error when they are read.
+class Writer {
+ public:
+  explicit Writer(hid_t file) : file_(file) {}
+
+  template <class Values>
+  void operator()(const char* name, const Values& values) const {
+    const auto type = memory_type(typename Values::value_type{});
+    const hsize_t extent = values.size();
+    const hsize_t chunk = std::clamp<hsize_t>(extent, 1, (1 << 20) / sizeof(values[0]));
+    const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, "create a data space");
+    const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create a property list");
+    require(H5Pset_chunk(properties, 1, &chunk), "choose the chunk size");
+    require(H5Pset_fletcher32(properties), "choose checksums");
+    const Handle dataset(H5Dcreate2(file_, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+                         std::string("create the data set ") + name);
+    if (extent > 0)
+      require(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("write ") + name);
+  }
+
+ private:
+  hid_t file_;
+};
+
+class Reader {
+ public:
+  explicit Reader(hid_t file) : file_(file) {}
+
+  template <class Values>
+  void operator()(const char* name, Values& values) const {
+    const Handle dataset(H5Dopen2(file_, name, H5P_DEFAULT), H5Dclose, std::string("open the data set ") + name);
+    const Handle space(H5Dget_space(dataset), H5Sclose, std::string("read the extent of ") + name);
+    const hssize_t extent = H5Sget_simple_extent_npoints(space);
+    require(extent < 0 ? -1 : 0, std::string("read the extent of ") + name);
+    values.resize(static_cast<std::size_t>(extent));
+    const auto type = memory_type(typename Values::value_type{});
+    if (extent > 0)
+      require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read ") + name);
+  }
+
+ private:
+  hid_t file_;
+};
+
+/// Hands every array to the writer or the reader under its name.
+template <class Contents, class Visitor>
+void visit_arrays(Contents& contents, const Visitor& visit) {
+  visit("front_times", contents.front_times);
+  visit("cell_element", contents.cell_element);
+  visit("cell_pole", contents.cell_pole);
+  visit("coefficients", contents.coefficients);
+  visit("inverse_jacobians", contents.inverse_jacobians);
+  visit("ledger", contents.ledger);
+  visit("recorder", contents.recorder);
+  visit("history", contents.history);
+  visit("stage_seconds", contents.stage_seconds);
+  visit("run_counts", contents.run_counts);
+}
+
+void write_to(const std::filesystem::path& file, const CheckpointContents& contents) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create a property list");
+  // From version 1.10 on the file format has checksums of the metadata too.
+  require(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the file format");
+  const Handle handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "create the file");
+  const Writer write(handle);
+  write("format", std::string(format_name));
+  write("version", std::vector<std::int64_t>{format_version});
+  write("settings", joined(contents.settings));
+  visit_arrays(contents, write);
+  require(H5Fflush(handle, H5F_SCOPE_LOCAL), "flush the file");
+}
+
+/// The file as a checkpoint of this version, its arrays not read yet.
+void check_format(const Reader& read) {
+  std::string format;
+  read("format", format);
+  if (format != format_name) throw std::runtime_error("its format is \"" + format + "\"");
+  std::vector<std::int64_t> version;
+  read("version", version);
+  if (version != std::vector<std::int64_t>{format_version})
+    throw std::runtime_error("its format version is " + (version.empty() ? "absent" : std::to_string(version[0])) +
+                             " and this program reads version " + std::to_string(format_version));
+}
+
+/// Where replace_file prepares the file.
+std::filesystem::path partial_file(const std::filesystem::path& file) {
+  return file.parent_path() / ("." + file.filename().string() + ".partial");
+}
+
+}  // namespace
+
+void write_checkpoint_file(const std::filesystem::path& file, const CheckpointContents& contents) {
+  const QuietErrors quiet;
+  try {
+    replace_file(file, [&](const std::filesystem::path& partial) { write_to(partial, contents); });
+  } catch (const std::runtime_error& error) {
+    std::error_code ignored;
+    std::filesystem::remove(partial_file(file), ignored);
+    throw std::runtime_error(file.string() + ": the checkpoint cannot be written: " + error.what() +
+                             ". Check the free space and the permissions of the folder.");
+  }
+}
+
+void remove_checkpoint_file(const std::filesystem::path& file) {
+  std::filesystem::remove(file);
+  std::filesystem::remove(partial_file(file));
+}
+
+CheckpointContents read_checkpoint_file(const std::filesystem::path& file) {
+  const QuietErrors quiet;
+  try {
+    const Handle handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file");
+    const Reader read(handle);
+    check_format(read);
+    CheckpointContents contents;
+    std::string settings;
+    read("settings", settings);
+    contents.settings = split(settings);
+    visit_arrays(contents, read);
+    return contents;
+  } catch (const std::runtime_error& error) {
+    throw InputError(file.string() + ": is no checkpoint that this program can resume, or it is damaged: " +
+                     error.what() + ". Give the checkpoint.h5 of an interrupted run.");
+  }
+}
+
+}  // namespace tentpole

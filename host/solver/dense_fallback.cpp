@@ -1,0 +1,88 @@
+#include "host/solver/dense_fallback.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "kernels/dense_patch_solve.hpp"
+#include "kernels/patch_matrix.reference.hpp"
+#include "kernels/patch_solver.hpp"
+
+namespace tentpole {
+
+DenseFallback::DenseFallback(HostBatch& batch, const PatchDescriptor& patch, const Simulation& simulation,
+                             const ReferenceTables& tables)
+    : batch_(batch),
+      patch_(patch),
+      simulation_(simulation),
+      tables_(tables),
+      num_unknowns_(tables.view().num_unknowns),
+      num_jacobian_((simulation.dimension() + 1) * (simulation.dimension() + 1)) {
+  for (int e = 0; e < patch.num_elements; ++e)
+    result_slots_.push_back(batch.elements[patch.first_element + e].result_slot);
+}
+
+void DenseFallback::solve(std::span<const std::int32_t> source_slots, std::span<const double> coefficients,
+                          std::span<const double> inverse_jacobians) {
+  const Status failed = static_cast<Status>(batch_.records[patch_.first_element].status);
+  if (failed == Status::inverted_element || failed == Status::not_causal) fail(failed);
+  // A batch of this patch alone over a store of its own: slot e takes element e, the sources follow.
+  std::vector<ElementDescriptor> elements(batch_.elements.begin() + patch_.first_element,
+                                          batch_.elements.begin() + patch_.first_element + patch_.num_elements);
+  const int num_elements = patch_.num_elements;
+  int source = num_elements;
+  for (int e = 0; e < num_elements; ++e) {
+    elements[e].result_slot = e;
+    if (elements[e].source_slot != none) elements[e].source_slot = source++;
+    for (int facet = 0; facet <= simulation_.dimension(); ++facet)
+      if (elements[e].neighbor[facet] != none) elements[e].neighbor[facet] -= patch_.first_element;
+  }
+  coefficients_.assign((num_elements + source_slots.size()) * num_unknowns_, 0.0);
+  inverse_jacobians_.assign((num_elements + source_slots.size()) * num_jacobian_, 0.0);
+  std::copy(coefficients.begin(), coefficients.end(), coefficients_.begin() + num_elements * num_unknowns_);
+  std::copy(inverse_jacobians.begin(), inverse_jacobians.end(),
+            inverse_jacobians_.begin() + num_elements * num_jacobian_);
+
+  const PatchDescriptor patch{0, num_elements};
+  PatchBatch view{};
+  view.num_patches = 1;
+  view.num_elements = num_elements;
+  view.patches = &patch;
+  view.elements = elements.data();
+  view.prescribed = batch_.prescribed.data();
+  view.materials = simulation_.scaled_materials.data();
+  view.coefficients = coefficients_.data();
+  view.inverse_jacobians = inverse_jacobians_.data();
+  view.records = &batch_.records[patch_.first_element];
+  const DensePatch dense = reference_patch_system(view, simulation_.dimension(), simulation_.degree(), 0);
+  std::vector<double> solution(dense.size);
+  double residual = 0;
+  DenseSolveScratch scratch;
+  const Status status = solve_dense_patch(dense.matrix, dense.rhs, solution, residual, scratch);
+  if (status != Status::ok) fail(status);
+  std::copy(solution.begin(), solution.end(), coefficients_.begin());
+  evaluate_patches_host(view, tables_.view());
+  for (int e = 0; e < num_elements; ++e)
+    if (batch_.records[patch_.first_element + e].status != static_cast<int>(Status::ok))
+      fail(Status::residual_too_large);
+}
+
+void DenseFallback::fail(Status status) const {
+  const ElementDescriptor& element = batch_.elements[patch_.first_element];
+  const int dimension = simulation_.dimension();
+  std::string place;
+  char number[32];
+  for (int axis = 0; axis < dimension; ++axis) {
+    std::snprintf(number, sizeof number, "%s%.6g", axis ? ", " : "",
+                  element.corner[element.pole][axis] * simulation_.scaling.length);
+    place += number;
+  }
+  std::snprintf(number, sizeof number, "%.6g", element.corner[element.pole][dimension] * simulation_.scaling.time());
+  throw std::runtime_error("cell " + std::to_string(batch_.cells[patch_.first_element]) + ", tent at (" + place +
+                           ") m, t = " + number + " s: the patch of " + std::to_string(patch_.num_elements) +
+                           " elements could not be solved (" + status_name(status) +
+                           ", also by pivoted dense LU). Check the mesh there for very flat cells, "
+                           "or lower front.causality.");
+}
+
+}  // namespace tentpole

@@ -1,0 +1,214 @@
+#include "host/solver/run.hpp"
+
+#include <chrono>
+
+#include "host/output/output_times.hpp"
+#include "host/solver/advance_front.hpp"
+#include "host/solver/checkpoint.hpp"
+#include "host/solver/checkpoint_file.hpp"
+
+namespace tentpole {
+namespace {
+
+std::string field_name(OutputField field) {
+  switch (field) {
+    case OutputField::displacement:
+      return "displacement";
+    case OutputField::velocity:
+      return "velocity";
+    case OutputField::stress:
+      return "stress";
+    case OutputField::strain_energy_density:
+      return "strain_energy_density";
+    case OutputField::damage:
+      return "damage";
+  }
+  return "";
+}
+
+RecorderOptions recorder_options(const Simulation& simulation, const std::filesystem::path& folder) {
+  const Case& settings = simulation.settings;
+  RecorderOptions options;
+  options.dimension = simulation.dimension();
+  options.degree = simulation.degree();
+  options.plane_stress = settings.materials.begin()->second.plane == Plane::stress;
+  options.folder = folder;
+  options.snapshot_times = settings.output.snapshot_times;
+  for (const OutputField field : settings.output.fields) options.fields.push_back(field_name(field));
+  for (const ProbeSettings& probe : settings.output.probes)
+    options.probes.push_back({probe.name, probe.point, times_at_interval(probe.interval, settings.end_time)});
+  return options;
+}
+
+void fill_stages(const StageTimer& timer, RunSummary::Stages& stages) {
+  const auto put = [&](StageTime& to, Stage stage) { to.seconds = timer.seconds(stage); };
+  put(stages.initialization, Stage::initialization);
+  put(stages.meshing, Stage::meshing);
+  put(stages.assembly, Stage::assembly);
+  put(stages.solution, Stage::solution);
+  put(stages.post_solution, Stage::post_solution);
+  put(stages.transfer, Stage::transfer);
+  put(stages.output, Stage::output);
+  put(stages.total, Stage::total);
+}
+
+/// Small batches keep an interactive run responsive; a GPU needs many patches in flight.
+int batch_size(const Case& settings, const Device& device) {
+  if (settings.batch_size > 0) return settings.batch_size;
+  return device.kind == DeviceKind::gpu ? 16384 : 512;
+}
+
+/// Everything that a run owns; the parts refer to each other.
+class Run {
+ public:
+  Run(const Simulation& simulation, const RunOptions& options);
+  Run(const Run&) = delete;
+
+  /// Advances to the end; false if interrupted. Then, at the case's interval, and when it throws, writes a checkpoint.
+  bool advance();
+  /// Call once, after advance().
+  RunSummary summary();
+  std::filesystem::path checkpoint_file() const { return options_.folder / "checkpoint.h5"; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool advance_until_stopped(const AdvanceOptions& options);
+  void save();
+  std::string save_after_failure();
+  void count_total_time();
+  bool checkpoint_is_due() const;
+
+  const Simulation& simulation_;
+  const RunOptions& options_;
+  StageTimer timer_;
+  TrafficCounters traffic_;
+  Clock::time_point counted_ = Clock::now();  ///< up to here the total time is counted
+  Clock::time_point last_save_ = Clock::now();
+  Front front_;
+  CellSources sources_;
+  ElementStore store_;
+  BatchBuilder builder_;
+  BatchRunner runner_;
+  Recorder recorder_;
+  History history_;
+  Ledger ledger_;
+  SolverState state_;
+};
+
+Run::Run(const Simulation& simulation, const RunOptions& options)
+    : simulation_(simulation),
+      options_(options),
+      front_(simulation.mesh, simulation.cell_wave_speed, simulation.settings.front.causality),
+      sources_{std::vector<std::int32_t>(simulation.mesh.num_cells(), none),
+               std::vector<std::int32_t>(simulation.mesh.num_cells(), 0)},
+      builder_(simulation, front_, sources_, store_),
+      runner_(simulation, options.device, options.threads, timer_, traffic_),
+      recorder_(recorder_options(simulation, options.folder)),
+      history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
+      ledger_(simulation, recorder_, history_),
+      state_{simulation, front_, sources_, store_, builder_, runner_, ledger_, recorder_, history_, timer_, traffic_} {
+  if (options.resume) load_checkpoint(*options.resume, state_);
+  timer_.add(Stage::initialization, Clock::now() - counted_);
+}
+
+bool Run::advance() {
+  bool interrupted = false;
+  AdvanceOptions advance;
+  advance.max_patches = batch_size(simulation_.settings, options_.device);
+  advance.check = options_.check;
+  advance.after_batch = [&](double front_time) {
+    options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), simulation_.mesh.num_cells()});
+    interrupted = interrupted || options_.interrupted();
+    return !interrupted && !checkpoint_is_due();
+  };
+  while (!advance_until_stopped(advance)) {
+    save();
+    if (interrupted) return false;
+  }
+  return true;
+}
+
+/// advance_front; the message of a failure also says how to go on.
+bool Run::advance_until_stopped(const AdvanceOptions& options) {
+  // The type decides about the exit code, so it stays.
+  try {
+    return advance_front(state_, options);
+  } catch (const InputError& error) {
+    throw InputError(error.what() + save_after_failure());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(error.what() + save_after_failure());
+  }
+}
+
+bool Run::checkpoint_is_due() const {
+  const auto& interval = simulation_.settings.checkpoint_minutes;
+  return interval && Clock::now() - last_save_ >= std::chrono::duration<double, std::ratio<60>>(*interval);
+}
+
+void Run::save() {
+  count_total_time();
+  save_checkpoint(checkpoint_file(), options_.folder, state_);
+  last_save_ = Clock::now();
+}
+
+/// What the message of the failure says about going on.
+std::string Run::save_after_failure() {
+  if (state_.is_committing) {
+    const bool exists = std::filesystem::exists(checkpoint_file());
+    return exists ? "\nThe checkpoint " + checkpoint_file().string() + " was written earlier in the run." : "";
+  }
+  try {
+    save();
+    return "\nThe state before it is in the checkpoint " + checkpoint_file().string() + ".";
+  } catch (const std::exception& error) {
+    return std::string("\nNo checkpoint could be written: ") + error.what();
+  }
+}
+
+void Run::count_total_time() {
+  const Clock::time_point now = Clock::now();
+  timer_.add(Stage::total, now - counted_);
+  counted_ = now;
+}
+
+RunSummary Run::summary() {
+  count_total_time();
+  RunSummary summary;
+  ledger_.fill(summary);
+  summary.threads = runner_.num_threads();
+  summary.counts.dense_fallbacks = state_.num_fallbacks();
+  summary.title = simulation_.settings.title;
+  summary.dimension = simulation_.dimension();
+  summary.degree = simulation_.degree();
+  summary.end_time = simulation_.settings.end_time;
+  summary.device = options_.device.is_host ? "host" : options_.device.name;
+  summary.seed = simulation_.settings.domain.seed;
+  summary.traffic = {traffic_.bytes_to_device, traffic_.bytes_from_device, traffic_.launches};
+  summary.warnings = simulation_.warnings;
+  if (summary.counts.dense_fallbacks > 0)
+    summary.warnings.push_back(
+        std::to_string(summary.counts.dense_fallbacks) +
+        " patches missed the residual tolerance and were solved by pivoted dense LU on the host. "
+        "Check the mesh for very flat cells.");
+  fill_stages(timer_, summary.stages);
+  return summary;
+}
+
+}  // namespace
+
+RunResult run_simulation(const Simulation& simulation, const RunOptions& options) {
+  Run run(simulation, options);
+  RunResult result;
+  result.interrupted = !run.advance();
+  result.summary = run.summary();
+  if (result.interrupted) {
+    result.checkpoint = run.checkpoint_file();
+  } else {
+    write_run_summary(options.folder, result.summary);
+    remove_checkpoint_file(run.checkpoint_file());
+  }
+  return result;
+}
+
+}  // namespace tentpole

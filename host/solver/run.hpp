@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "device/device.hpp"
+#include "host/output/run_summary.hpp"
+#include "host/solver/simulation.hpp"
+
+namespace tentpole {
+
+/// How far a run is.
+struct Progress {
+  double front_time = 0;  ///< [s]
+  double end_time = 0;    ///< [s]
+  std::int64_t patches = 0;
+  int cells = 0;
+};
+
+struct RunOptions {
+  Device device = host_device();
+  int threads = 0;                              ///< 0: all of the device's
+  std::filesystem::path folder;                 ///< result folder, exists
+  bool check = false;                           ///< energy balance of every patch
+  std::optional<std::filesystem::path> resume;  ///< checkpoint to go on from
+  std::function<void(const Progress&)> report = [](const Progress&) {};
+  std::function<bool()> interrupted = [] { return false; };
+};
+
+struct RunResult {
+  RunSummary summary;
+  bool interrupted = false;          ///< a checkpoint was written instead of a summary file
+  std::filesystem::path checkpoint;  ///< folder / "checkpoint.h5" if interrupted, else empty
+};
+
+/// Solves a simulation and writes its result folder: snapshots, probes, history, and summary.json at the end. When
+/// interrupted, at the case's checkpoint interval, and when a patch cannot be solved, checkpoint.h5 is written there,
+/// from which `resume` goes on bitwise identically (also with another batch size, device or number of threads, as far
+/// as the device computes alike); a run that reaches the end removes it. `folder` must then hold the output of the run
+/// that wrote the checkpoint. Throws std::runtime_error with place and time when a patch cannot be solved, InputError
+/// where an expression is not finite; the message says which checkpoint there is, and all finished output stays
+/// readable. Throws InputError for a checkpoint that is damaged or of a run with other settings.
+RunResult run_simulation(const Simulation& simulation, const RunOptions& options);
+
+}  // namespace tentpole

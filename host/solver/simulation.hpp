@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "host/case_file/case.hpp"
+#include "host/mesh/space_mesh.hpp"
+#include "host/solver/scaling.hpp"
+
+namespace tentpole {
+
+/// A case made concrete: its mesh, materials per region and conditions per boundary; all that a run reads and never
+/// changes.
+struct Simulation {
+  Case settings;
+  SpaceMesh mesh;  ///< scaled lengths
+  Scaling scaling;
+  std::vector<Material> materials;            ///< [region], SI
+  std::vector<Material> scaled_materials;     ///< [region]
+  std::vector<BoundaryCondition> conditions;  ///< [boundary]
+  std::vector<double> cell_wave_speed;        ///< [cell], scaled c_p
+  double smallest_edge = 0;                   ///< [m]
+  std::vector<std::string> warnings;          ///< of case and mesh
+
+  int dimension() const { return mesh.dimension; }
+  int degree() const { return settings.degree; }
+  double scaled_end_time() const { return settings.end_time / scaling.time(); }
+  /// SI time [s]; the end time maps to itself exactly, so that output at the end is not missed by a rounding error.
+  double time_in_seconds(double scaled) const {
+    return scaled == scaled_end_time() ? settings.end_time : scaled * scaling.time();
+  }
+  /// The inverse: the end time maps to the scaled end time exactly.
+  double scaled_time(double seconds) const { return seconds / scaling.time(); }
+};
+
+/// Generates or reads the mesh and matches its names with the case.
+/// Throws InputError for boundaries without a condition, regions without a material and names that the mesh lacks (all
+/// at once), MeshError for a mesh that cannot be used.
+Simulation make_simulation(Case settings);
+
+}  // namespace tentpole

@@ -1,0 +1,264 @@
+#include "kernels/patch_matrix.reference.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "kernels/point_state.reference.hpp"
+#include "kernels/rigid_modes.reference.hpp"
+
+namespace tentpole {
+namespace {
+
+using namespace reference;
+
+/// scale_a a + scale_b b
+Row sum(double scale_a, const Row& a, double scale_b, const Row& b) {
+  Row result(a.size());
+  for (std::size_t n = 0; n < a.size(); ++n) result[n] = scale_a * a[n] + scale_b * b[n];
+  return result;
+}
+
+double dot(const Row& a, const double* b) {
+  return std::inner_product(a.begin(), a.end(), b, 0.0);
+}
+
+/// Unit normal and D - 1 tangents of a vertical facet, from the spatial part of its covector.
+Rows facet_frame(const Vector& covector, double area, int dimension) {
+  Rows frame{Row(covector.begin(), covector.begin() + dimension)};
+  for (double& component : frame[0]) component /= area;
+  if (dimension == 2) frame.push_back({-frame[0][1], frame[0][0]});
+  if (dimension == 3) {
+    // The axis least aligned with the normal, made orthogonal to it, then the cross product.
+    int axis = 0;
+    for (int j = 1; j < 3; ++j)
+      if (std::abs(frame[0][j]) < std::abs(frame[0][axis])) axis = j;
+    Row tangent(3);
+    const double length = std::sqrt(1 - frame[0][axis] * frame[0][axis]);
+    for (int j = 0; j < 3; ++j) tangent[j] = ((j == axis) - frame[0][axis] * frame[0][j]) / length;
+    const Row n = frame[0];
+    frame.push_back(tangent);
+    frame.push_back({n[1] * tangent[2] - n[2] * tangent[1], n[2] * tangent[0] - n[0] * tangent[2],
+                     n[0] * tangent[1] - n[1] * tangent[0]});
+  }
+  return frame;
+}
+
+/// Adds the terms of one element to the system of its patch.
+class ElementTerms {
+ public:
+  ElementTerms(const Discretization& disc, const PatchBatch& batch, const PatchDescriptor& patch, int element,
+               DensePatch& system)
+      : disc_(disc),
+        D_(disc.dimension),
+        batch_(batch),
+        first_element_(patch.first_element),
+        element_(batch.elements[element]),
+        material_(batch.materials[element_.material]),
+        geometry_(element_geometry(element_, disc.dimension)),
+        offset_(offset_of(element)),
+        system_(system) {}
+
+  void add_volume() {
+    const Quadrature& rule = disc_.volume_rule;
+    const int num_modes = num_polynomials(D_ + 1, disc_.basis.degree() - 1);
+    for (int q = 0; q < rule.num_points(); ++q) {
+      const Row xi(&rule.points[q * (D_ + 1)], &rule.points[q * (D_ + 1)] + D_ + 1);
+      const double weight = rule.weights[q] * geometry_.determinant;
+      const PointState test = point_state(disc_, geometry_.inverse, material_, xi);
+      const Rows momentum = momentum_operator(disc_, geometry_.inverse, material_, xi);
+      Row modes(disc_.basis.size());
+      disc_.basis.values(xi, modes);
+      modes.resize(num_modes);
+      for (int i = 0; i < D_; ++i) {
+        add_matrix(weight, test.velocity[i], momentum[i], offset_);
+        if (element_.body_force_data != none)
+          add_rhs(weight, test.velocity[i], dot(modes, batch_.prescribed + element_.body_force_data + i * num_modes));
+      }
+    }
+  }
+
+  void add_inflow(double kappa) {
+    const Vector covector = facet_covector(geometry_, D_, D_ + 1);
+    const std::vector<int> corners = front_corners(D_, D_ + 1);
+    const std::vector<Rows> rigid = rigid_modes(disc_, element_);
+    Rows moments(rigid.size(), Row(disc_.num_unknowns, 0.0));  // of the rigid modes with the displacement
+    Row moments_below(rigid.size(), 0.0);
+    for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
+      const Row barycentric = facet_barycentric(disc_, q);
+      const PointState own = point_state(disc_, geometry_.inverse, material_, element_point(barycentric, corners));
+      const PointState below = state_below(disc_, batch_, element_, barycentric);
+      const double weight = disc_.facet_rule.weights[q];
+      add_flux_jump(weight, covector, own, below);
+      for (std::size_t r = 0; r < rigid.size(); ++r)
+        for (int i = 0; i < D_; ++i) {
+          for (int n = 0; n < disc_.num_unknowns; ++n)
+            moments[r][n] += weight * rigid[r][q][i] * own.displacement[i][n];
+          moments_below[r] += weight * rigid[r][q][i] * below.displacement[i][0];
+        }
+    }
+    for (std::size_t r = 0; r < rigid.size(); ++r) {
+      add_matrix(kappa * std::abs(covector[D_]), moments[r], moments[r], offset_);
+      add_rhs(kappa * std::abs(covector[D_]), moments[r], moments_below[r]);
+    }
+  }
+
+  void add_vertical() {
+    for (int facet = 0; facet <= D_; ++facet) {
+      if (facet == element_.pole) continue;
+      const Vector covector = facet_covector(geometry_, D_, facet);
+      const std::vector<int> corners = vertical_corners(D_, facet);
+      double area = 0;
+      for (int j = 0; j < D_; ++j) area += covector[j] * covector[j];
+      area = std::sqrt(area);
+      const Rows frame = facet_frame(covector, area, D_);
+      for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
+        const Row barycentric = facet_barycentric(disc_, q);
+        const PointState own = point_state(disc_, geometry_.inverse, material_, element_point(barycentric, corners));
+        const double weight = area * disc_.facet_rule.weights[q];
+        if (element_.neighbor[facet] == none)
+          add_boundary(weight, facet, frame, own, barycentric);
+        else
+          add_interior(weight, facet, frame, own, barycentric);
+      }
+    }
+  }
+
+ private:
+  int offset_of(int element) const { return (element - first_element_) * disc_.num_unknowns; }
+
+  void add_matrix(double weight, const Row& test, const Row& trial, int column_offset) {
+    for (int m = 0; m < disc_.num_unknowns; ++m)
+      for (int n = 0; n < disc_.num_unknowns; ++n)
+        system_.matrix[static_cast<std::size_t>(offset_ + m) * system_.size + column_offset + n] +=
+            weight * test[m] * trial[n];
+  }
+  void add_rhs(double weight, const Row& test, double value) {
+    for (int m = 0; m < disc_.num_unknowns; ++m) system_.rhs[offset_ + m] += weight * test[m] * value;
+  }
+
+  /// K -= w^T A_N w and b -= w^T A_N w_below with
+  /// w^T A_N w = N_t (rho v^ . v + E^ : sigma) - v^ . sigma N_x - (sigma^ N_x) . v
+  void add_flux_jump(double weight, const Vector& covector, const PointState& own, const PointState& below) {
+    const int num_unknowns = disc_.num_unknowns;
+    for (int i = 0; i < D_; ++i) {
+      Row on_velocity(num_unknowns);
+      for (int n = 0; n < num_unknowns; ++n) {
+        on_velocity[n] = covector[D_] * material_.density * own.velocity[i][n];
+        for (int j = 0; j < D_; ++j) on_velocity[n] -= own.stress[i * D_ + j][n] * covector[j];
+      }
+      add_matrix(-weight, on_velocity, own.velocity[i], offset_);
+      add_rhs(-weight, on_velocity, below.velocity[i][0]);
+      for (int j = 0; j < D_; ++j) {
+        Row on_stress(num_unknowns);
+        for (int n = 0; n < num_unknowns; ++n)
+          on_stress[n] = covector[D_] * own.strain[i * D_ + j][n] - own.velocity[i][n] * covector[j];
+        add_matrix(-weight, on_stress, own.stress[i * D_ + j], offset_);
+        add_rhs(-weight, on_stress, below.stress[i * D_ + j][0]);
+      }
+    }
+  }
+
+  /// Boundary facet, component by component of the frame:
+  /// s* - s = Z (vbar - v) velocity, sbar - s traction, 1/2 [gbar - (s + Z v)] absorbing.
+  void add_boundary(double weight, int facet, const Rows& frame, const PointState& own, const Row& barycentric) {
+    for (int c = 0; c < D_; ++c) {
+      const BoundaryKind kind = c == 0 ? element_.normal_kind[facet] : element_.tangential_kind[facet];
+      const double impedance = impedance_of(material_, c);
+      const Row velocity = component(own.velocity, frame[c]), traction = component_of_traction(own, frame, c);
+      const Row test = sum(1, velocity, 1 / impedance, traction);
+      double prescribed = 0;
+      if (element_.boundary_data[facet] != none)
+        for (int i = 0; i < D_; ++i)
+          prescribed += frame[c][i] * facet_mode_sum(disc_.facet_basis, barycentric,
+                                                     batch_.prescribed + element_.boundary_data[facet], i);
+      switch (kind) {
+        case BoundaryKind::velocity:
+          add_matrix(weight * impedance, test, velocity, offset_);
+          add_rhs(weight * impedance, test, prescribed);
+          break;
+        case BoundaryKind::traction:
+          add_matrix(weight, test, traction, offset_);
+          add_rhs(weight, test, prescribed);
+          break;
+        case BoundaryKind::absorbing:
+          add_matrix(weight / 2, test, sum(1, traction, impedance, velocity), offset_);
+          add_rhs(weight / 2, test, prescribed);
+          break;
+      }
+    }
+  }
+
+  /// Interior facet between any two materials (i own, e other, tractions on the own outward normal), in components:
+  /// own (Z_i v^ + s^) (s_i + Z_e v_i) / (Z_i + Z_e), cross minus the same with (s_e + Z_e v_e).
+  void add_interior(double weight, int facet, const Rows& frame, const PointState& own, const Row& barycentric) {
+    const int neighbor = element_.neighbor[facet];
+    const ElementDescriptor& other_element = batch_.elements[neighbor];
+    const Material& other_material = batch_.materials[other_element.material];
+    const PointState other =
+        point_state(disc_, element_geometry(other_element, D_).inverse, other_material,
+                    element_point(barycentric, vertical_corners(D_, element_.neighbor_facet[facet])));
+    for (int c = 0; c < D_; ++c) {
+      const double own_impedance = impedance_of(material_, c), other_impedance = impedance_of(other_material, c);
+      const Row own_velocity = component(own.velocity, frame[c]), own_traction = component_of_traction(own, frame, c);
+      const Row test = sum(own_impedance, own_velocity, 1, own_traction);
+      const Row incoming =
+          sum(1, component_of_traction(other, frame, c), other_impedance, component(other.velocity, frame[c]));
+      const double factor = weight / (own_impedance + other_impedance);
+      add_matrix(factor, test, sum(1, own_traction, other_impedance, own_velocity), offset_);
+      add_matrix(-factor, test, incoming, offset_of(neighbor));
+    }
+  }
+
+  /// Z = rho c_p along the normal, rho c_s across.
+  static double impedance_of(const Material& material, int c) {
+    return material.density * (c == 0 ? material.dilatational_speed() : material.shear_speed());
+  }
+
+  /// Component of a vector of rows along a direction.
+  Row component(const Rows& vector, const Row& direction) const {
+    Row result(disc_.num_unknowns, 0.0);
+    for (int i = 0; i < D_; ++i)
+      for (int n = 0; n < disc_.num_unknowns; ++n) result[n] += direction[i] * vector[i][n];
+    return result;
+  }
+
+  /// frame_c . sigma frame_0
+  Row component_of_traction(const PointState& state, const Rows& frame, int c) const {
+    Row result(disc_.num_unknowns, 0.0);
+    for (int i = 0; i < D_; ++i)
+      for (int j = 0; j < D_; ++j)
+        for (int n = 0; n < disc_.num_unknowns; ++n)
+          result[n] += frame[c][i] * state.stress[i * D_ + j][n] * frame[0][j];
+    return result;
+  }
+
+  const Discretization& disc_;
+  int D_;
+  const PatchBatch& batch_;
+  int first_element_;
+  const ElementDescriptor& element_;
+  const Material& material_;
+  Geometry geometry_;
+  int offset_;
+  DensePatch& system_;
+};
+
+}  // namespace
+
+DensePatch reference_patch_system(const PatchBatch& batch, int dimension, int degree, int patch, double kappa) {
+  const Discretization disc(dimension, degree);
+  const PatchDescriptor& descriptor = batch.patches[patch];
+  DensePatch system;
+  system.size = descriptor.num_elements * disc.num_unknowns;
+  system.matrix.assign(static_cast<std::size_t>(system.size) * system.size, 0.0);
+  system.rhs.assign(system.size, 0.0);
+  for (int e = 0; e < descriptor.num_elements; ++e) {
+    ElementTerms terms(disc, batch, descriptor, descriptor.first_element + e, system);
+    terms.add_volume();
+    terms.add_inflow(kappa);
+    terms.add_vertical();
+  }
+  return system;
+}
+
+}  // namespace tentpole

@@ -1,0 +1,130 @@
+#include "kernels/patch_solver.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include <omp.h>
+
+#include "kernels/solve_patch.hpp"
+
+namespace tentpole {
+namespace {
+
+/// One worker's share of a launch.
+template <int D, class Lanes>
+inline void run_patch(const PatchSolverTask& task, int patch, int worker, const Lanes& lanes) {
+  StageCycles cycles;
+  solve_patch<D>(task.batch, task.tables, patch, task.scratch + worker * task.scratch_stride, cycles, lanes);
+  if (lanes.first() == 0) {
+    task.cycles[worker].assembly += cycles.assembly;
+    task.cycles[worker].solution += cycles.solution;
+    task.cycles[worker].post_solution += cycles.post_solution;
+  }
+}
+
+template <int D>
+void run_on_host(const PatchSolverTask& task) {
+  const int num_patches = task.batch.num_patches;
+#pragma omp parallel for schedule(monotonic : dynamic, 4) num_threads(task.shape.workers)
+  for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
+}
+
+#ifdef TENTPOLE_OFFLOAD
+template <int D>
+void run_on_cpu_device(const PatchSolverTask task, int device_number) {
+  const int num_patches = task.batch.num_patches, workers = task.shape.workers;
+#pragma omp target teams num_teams(1) device(device_number) firstprivate(task)
+#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, 4)
+  for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
+}
+
+template <int D>
+void run_on_gpu(const PatchSolverTask task, int device_number) {
+  const int num_patches = task.batch.num_patches, teams = task.shape.workers, lanes = task.shape.lanes;
+#pragma omp target teams distribute num_teams(teams) thread_limit(lanes) device(device_number) firstprivate(task)
+  for (int worker = 0; worker < teams; ++worker) {
+#pragma omp parallel num_threads(lanes)
+    {
+      const TeamLanes team{omp_get_thread_num(), omp_get_num_threads()};
+      for (int patch = worker; patch < num_patches; patch += teams) {
+        run_patch<D>(task, patch, worker, team);
+        team.synchronize();
+      }
+    }
+  }
+}
+#endif
+
+}  // namespace
+
+long patch_scratch_size(const ReferenceTablesView& tables, int max_elements, int lanes) {
+  switch (tables.dimension) {
+    case 1:
+      return PatchWorkspace<1>::size(tables, max_elements, lanes);
+    case 2:
+      return PatchWorkspace<2>::size(tables, max_elements, lanes);
+    default:
+      return PatchWorkspace<3>::size(tables, max_elements, lanes);
+  }
+}
+
+void solve_patches_host(const PatchSolverTask& task) {
+  switch (task.tables.dimension) {
+    case 1:
+      return run_on_host<1>(task);
+    case 2:
+      return run_on_host<2>(task);
+    default:
+      return run_on_host<3>(task);
+  }
+}
+
+void solve_patches_device([[maybe_unused]] const PatchSolverTask& task, [[maybe_unused]] int device_number) {
+#ifdef TENTPOLE_OFFLOAD
+  const bool cpu = task.shape.lanes == 1;
+  switch (task.tables.dimension) {
+    case 1:
+      return cpu ? run_on_cpu_device<1>(task, device_number) : run_on_gpu<1>(task, device_number);
+    case 2:
+      return cpu ? run_on_cpu_device<2>(task, device_number) : run_on_gpu<2>(task, device_number);
+    default:
+      return cpu ? run_on_cpu_device<3>(task, device_number) : run_on_gpu<3>(task, device_number);
+  }
+#else
+  std::fputs("solve_patches_device: this build has no device code (preset host)\n", stderr);
+  std::abort();
+#endif
+}
+
+void evaluate_patches_host(const PatchBatch& batch, const ReferenceTablesView& tables) {
+  int largest = 0;
+  for (int patch = 0; patch < batch.num_patches; ++patch)
+    largest = std::max(largest, int(batch.patches[patch].num_elements));
+  std::vector<double> scratch(patch_scratch_size(tables, largest, 1));
+  for (int patch = 0; patch < batch.num_patches; ++patch) switch (tables.dimension) {
+      case 1:
+        check_patch<1>(batch, tables, patch, scratch.data(), SerialLane{});
+        break;
+      case 2:
+        check_patch<2>(batch, tables, patch, scratch.data(), SerialLane{});
+        break;
+      default:
+        check_patch<3>(batch, tables, patch, scratch.data(), SerialLane{});
+        break;
+    }
+}
+
+double flops_per_element(const ReferenceTablesView& tables, int num_ports, int iterations) {
+  const double n = tables.num_unknowns, r = tables.dimension * tables.num_facet_modes * num_ports;
+  const double dimension = tables.dimension, pairs = (dimension + 1) * (dimension + 1);
+  const double assembly =
+      2 * n * n * (pairs * (1 + dimension) + tables.num_curvature_modes + dimension * (dimension + 1) / 2) +
+      4 * n * r * (dimension + 1);
+  const double elimination = 2.0 / 3.0 * n * n * n + 2 * n * n * r + 2 * n * r * r;
+  const double recovery = 2 * n * n + 4 * n * r + 2 * r * r * iterations;
+  return assembly + elimination + recovery;
+}
+
+}  // namespace tentpole

@@ -1,0 +1,66 @@
+"""One look for all pictures: fonts, colours, and SI prefixes for the axes."""
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
+
+# Without the black end, so that mesh lines and text stay readable on the largest values.
+COLOUR_MAP = matplotlib.colors.ListedColormap(plt.get_cmap("magma_r")(np.linspace(0, 0.86, 256)))
+LINE_COLOURS = ["#1f4e79", "#c0392b", "#2e8b57", "#8e6bbf", "#d98c1f", "#5f6b73"]
+MESH_COLOUR = "#2b2b2b"
+
+plt.rcParams.update({
+    "figure.dpi": 160, "savefig.dpi": 160, "font.size": 9, "font.family": "DejaVu Sans", "axes.titlesize": 10,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.7, "xtick.major.width": 0.7,
+    "ytick.major.width": 0.7, "legend.frameon": False, "lines.linewidth": 1.4,
+    "axes.prop_cycle": matplotlib.cycler(color=LINE_COLOURS), "axes.formatter.useoffset": False})
+
+PREFIXES = [(1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p")]
+
+
+def si_scale(values, unit):
+    """Factor and label, such as (1e-6, "MPa"), that bring the largest of the values between 1 and 1000."""
+    largest = np.nanmax(np.abs(values)) if np.size(values) else 0
+    if not largest > 0:
+        return 1.0, unit
+    for size, prefix in PREFIXES:
+        if largest >= 0.999 * size:
+            return 1 / size, prefix + unit
+    return 1e12, "p" + unit
+
+
+def colour_limit(values):
+    """Upper end of a colour scale: singular points (crack tips) may exceed it, so that they do not darken the rest."""
+    return float(np.quantile(values, 0.998))
+
+
+def line_colours(surface_colours, opacity):
+    """Mesh lines [n, 4] that are seen on surfaces of these colours [n, 4]: dark on light ones, light on dark ones."""
+    dark = surface_colours[:, :3] @ [0.3, 0.59, 0.11] < 0.42
+    lines = np.tile(matplotlib.colors.to_rgba(MESH_COLOUR, opacity), (len(dark), 1))
+    lines[dark] = matplotlib.colors.to_rgba("#f4eef6", opacity)
+    return lines
+
+
+def stacked_axes(upper, lower):
+    """A figure with two panels of the same width and a place for a colour bar; heights are shares of that width."""
+    width, gap, margin = 6.2, 0.45, 0.6
+    total = width * (upper + lower) + gap + 2 * margin
+    figure = plt.figure(figsize=(width + 2.2, total))
+    place = [0.8 / (width + 2.2), width / (width + 2.2)]
+    bottom = figure.add_axes([place[0], margin / total, place[1], width * lower / total])
+    top = figure.add_axes([place[0], (margin + width * lower + gap) / total, place[1], width * upper / total])
+    bar = figure.add_axes([place[0] + place[1] + 0.2 / (width + 2.2), margin / total, 0.15 / (width + 2.2), 0.72])
+    return figure, top, bottom, bar
+
+
+def time_text(seconds):
+    """A time in microseconds, as the thesis gives them."""
+    return f"t = {seconds * 1e6:.4g} µs"
+
+
+def save(figure, path):
+    figure.savefig(path, bbox_inches="tight", facecolor="white")
+    plt.close(figure)
+    print(path)

@@ -1,0 +1,119 @@
+"""Rules that the source tree obeys and no compiler checks. Each function takes the root folder and returns its
+findings, one line "FILE:LINE: what is wrong and what to do" each.
+
+usage: source_rules.py ROOT RULE...        prints the findings; exit code 0 none, 1 some, 2 unknown rule
+"""
+
+import pathlib
+import re
+import sys
+
+# Whom each folder may include: the architecture in one table. Only bench and tests include bench or tests.
+MAY_INCLUDE = {
+    "common": {"common"},
+    "kernels": {"common", "kernels"},
+    "device": {"common", "device"},
+    "host": {"common", "kernels", "device", "host"},
+    "bench": {"common", "kernels", "device", "host", "bench", "tests"},
+    "tests": {"common", "kernels", "device", "host", "bench", "tests"},
+}
+# Libraries whose headers cost seconds in every file that sees them: only a .cpp may include them.
+HEAVY_HEADER = re.compile(r"(toml\+\+|toml|CLI|nlohmann|Eigen|muParser\w*|hdf5\w*|H5\w*|vtk\w*|gmsh)[./]")
+INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
+FAULTY_SCHEDULE = re.compile(r"schedule\s*\(\s*(static\s*,\s*1\s*\)|(nonmonotonic\s*:\s*)?(dynamic|guided)\b)")
+MACHINE_PATH = re.compile(r"(?<![\w.})>*-])/(work|root|home|tmp|Users)(?![\w.-])")
+UNFINISHED = re.compile(r"\b(TODO|FIXME)\b")
+TEXT_SUFFIXES = {".cpp", ".hpp", ".cmake", ".txt", ".md", ".toml", ".json", ".py", ".in", ".csv", ""}
+
+
+def files(root, suffixes, folders=None):
+    """Files under the given folders (default: everywhere), without build products, results and this checker."""
+    # Build folders are never entered: tests that run at the same time create and remove files there.
+    for top in sorted(root.iterdir()):
+        if top.name.startswith((".git", "build", "result", "report")) or (folders and top.name not in folders):
+            continue
+        for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
+            parts = path.relative_to(root).parts
+            if "__pycache__" not in parts and parts[:2] != ("tests", "architecture"):
+                if path.suffix in suffixes and path.is_file():
+                    yield path
+
+
+def matching_lines(root, paths, pattern, message):
+    found = []
+    for path in paths:
+        for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+            if pattern.search(line):
+                found.append(f"{path.relative_to(root)}:{number}: {message}")
+    return found
+
+
+def includes(root):
+    """Quoted includes start at the root, exist and point down; heavy headers stay out of headers."""
+    found = []
+    for path in files(root, {".hpp", ".cpp"}, MAY_INCLUDE):
+        folder = path.relative_to(root).parts[0]
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            quote, name = match.groups()
+            where = f"{path.relative_to(root)}:{number}"
+            target = name.split("/")[0]
+            if quote == '"' and target not in MAY_INCLUDE:
+                found.append(f'{where}: "{name}" does not start with a folder of the root')
+            elif target in MAY_INCLUDE and target not in MAY_INCLUDE[folder]:
+                allowed = ", ".join(sorted(MAY_INCLUDE[folder]))
+                found.append(f"{where}: {folder}/ must not include {name} (it may include {allowed})")
+            elif quote == '"' and not (root / name).exists() and not (root / (name + ".in")).exists():
+                found.append(f'{where}: "{name}" does not exist')
+            elif quote == "<" and path.suffix == ".hpp" and HEAVY_HEADER.match(name):
+                found.append(f"{where}: include <{name}> in a .cpp, it is too heavy for a header")
+    return found
+
+
+def listed(root):
+    """Every .cpp is named in the CMakeLists.txt of its folder or of one above: an unlisted test never runs."""
+    found = []
+    for path in files(root, {".cpp"}, MAY_INCLUDE):
+        folders = [folder for folder in path.parents if folder.is_relative_to(root)]
+        lists = [folder / "CMakeLists.txt" for folder in folders if (folder / "CMakeLists.txt").exists()]
+        name = re.compile(rf"(?<![\w.-]){re.escape(path.name)}(?![\w.-])")
+        stem = re.compile(rf"(?<![\w.-]){re.escape(path.stem)}(?![\w-])")
+        if not any(name.search(text) or stem.search(text) for text in (each.read_text() for each in lists)):
+            found.append(f"{path.relative_to(root)}:1: not named in any CMakeLists.txt, so it is never compiled")
+    return found
+
+
+def schedule(root):
+    """Two faults of LLVM 19: a team of one thread runs one iteration of n with schedule(static, 1), and where chunks of a
+    dynamic schedule may be stolen (without "monotonic") the runtime now and then aborts in kmp_dispatch.cpp."""
+    message = "schedule(static, 1) loses iterations and dynamic without monotonic may abort in LLVM 19"
+    return matching_lines(root, files(root, {".hpp", ".cpp"}), FAULTY_SCHEDULE, message)
+
+
+def paths(root):
+    message = "absolute path of one machine, use a relative or a temporary one"
+    return matching_lines(root, files(root, TEXT_SUFFIXES), MACHINE_PATH, message)
+
+
+def unfinished(root):
+    message = "unfinished work is not marked in the source, finish it or open an issue"
+    return matching_lines(root, files(root, TEXT_SUFFIXES), UNFINISHED, message)
+
+
+RULES = {rule.__name__: rule for rule in (includes, listed, schedule, paths, unfinished)}
+
+
+def main(root, *names):
+    unknown = [name for name in names if name not in RULES]
+    if unknown or not names:
+        print(f"unknown rules {unknown}, known are {', '.join(RULES)}", file=sys.stderr)
+        return 2
+    findings = [line for name in names for line in RULES[name](pathlib.Path(root).resolve())]
+    print("\n".join(findings))
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

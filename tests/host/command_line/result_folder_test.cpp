@@ -1,0 +1,69 @@
+#include "host/command_line/result_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host/case_file/input_error.hpp"
+#include "tests/host/command_line/temporary_folder.hpp"
+
+namespace tentpole {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ResultFolder, IsNamedAfterTheCaseAndLiesInTheCurrentFolder) {
+  EXPECT_EQ(default_result_folder("some/where/bar.toml"), "result_bar");
+  EXPECT_EQ(default_result_folder("plate.v2.toml"), "result_plate.v2");
+}
+
+TEST(ResultFolder, IsCreatedWithItsParents) {
+  const TemporaryTestFolder root("result_folder_new");
+  const PreparedFolder folder = prepare_result_folder(root.path() / "a/b/");
+  EXPECT_EQ(folder.path, root.path() / "a/b");
+  EXPECT_FALSE(folder.moved_aside);
+  EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST(ResultFolder, OlderResultsMoveToTheFirstFreeNumber) {
+  const TemporaryTestFolder root("result_folder_aside");
+  root.write("r.1/notes.txt", "kept");
+  for (const char* text : {"first", "second"}) {
+    root.write("r/summary.json", text);
+    const PreparedFolder folder = prepare_result_folder(root.path() / "r/");
+    EXPECT_TRUE(fs::is_empty(folder.path));
+    ASSERT_TRUE(folder.moved_aside);
+  }
+  EXPECT_EQ(fs::file_size(root.path() / "r.2/summary.json"), 5u);
+  EXPECT_EQ(fs::file_size(root.path() / "r.3/summary.json"), 6u);
+  EXPECT_TRUE(fs::exists(root.path() / "r.1/notes.txt"));
+}
+
+TEST(ResultFolder, WhatAKilledRunLeavesCountsAsAResult) {
+  for (const char* name : {"history.csv", "probe_mid.csv", "snapshot_0000.vtkhdf", "checkpoint.h5",
+                           ".snapshot_0000.vtkhdf.partial", ".checkpoint.h5.partial"}) {
+    const TemporaryTestFolder root("result_folder_killed");
+    root.write(name, "x");
+    EXPECT_TRUE(holds_result(root.path())) << name;
+  }
+}
+
+TEST(ResultFolder, FoldersWithOtherFilesAreRefusedAndKept) {
+  const TemporaryTestFolder root("result_folder_other");
+  const fs::path file = root.write("thesis/chapter.tex", "work");
+  EXPECT_THROW(prepare_result_folder(root.path() / "thesis"), InputError);
+  EXPECT_THROW(prepare_result_folder(file), InputError);
+  EXPECT_EQ(fs::file_size(file), 4u);
+}
+
+TEST(ResultFolder, FolderThatCannotBeCreatedIsAnErrorThatNamesIt) {
+  const TemporaryTestFolder root("result_folder_below_file");
+  const fs::path folder = root.write("file", "x") / "result";
+  try {
+    prepare_result_folder(folder);
+    FAIL() << "a folder below a file was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(folder.string()), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace tentpole

@@ -1,0 +1,58 @@
+#include "host/command_line/tent_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/host/command_line/temporary_folder.hpp"
+
+namespace tentpole {
+namespace {
+
+Simulation square(const TemporaryTestFolder& folder) {
+  return make_simulation(read_case(folder.write("square.toml", R"(
+[domain]
+dimension = 2
+min = [0, 0]
+max = [1, 1]
+cells = [10, 10]
+pattern = "unstructured"
+[material.all]
+density = 1.0
+youngs_modulus = 1.0
+poisson_ratio = 0.0
+[boundary.left]
+absorbing = true
+[boundary.right]
+absorbing = true
+[boundary.bottom]
+absorbing = true
+[boundary.top]
+absorbing = true
+[time]
+end = 2.0
+[discretization]
+degree = 2
+)")));
+}
+
+TEST(TentEstimate, ExtrapolatesToWithinTenPercentFromATenthOfTheTents) {
+  const TemporaryTestFolder folder("tent_estimate");
+  const Simulation simulation = square(folder);
+  const TentEstimate all = estimate_tents(simulation, 1'000'000);
+  ASSERT_TRUE(all.is_exact);
+  const TentEstimate estimate = estimate_tents(simulation, all.patches / 10);
+  EXPECT_FALSE(estimate.is_exact);
+  EXPECT_NEAR(static_cast<double>(estimate.patches), static_cast<double>(all.patches), 0.1 * all.patches);
+  EXPECT_NEAR(static_cast<double>(estimate.elements), static_cast<double>(all.elements), 0.1 * all.elements);
+}
+
+TEST(TentEstimate, LargestPatchIsTheLargestStar) {
+  const TemporaryTestFolder folder("tent_estimate_star");
+  const Simulation simulation = square(folder);
+  std::size_t largest = 0;
+  for (int vertex = 0; vertex < simulation.mesh.num_vertices(); ++vertex)
+    largest = std::max(largest, simulation.mesh.star(vertex).size());
+  EXPECT_EQ(estimate_tents(simulation, 1'000'000).largest_patch, static_cast<int>(largest));
+}
+
+}  // namespace
+}  // namespace tentpole

@@ -1,0 +1,48 @@
+"""killed_writer.py WRITER SOURCE: kill -9 at any moment leaves complete files under their final names."""
+import json
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from vtkhdf import read_grid
+
+
+def check_folder(folder):
+    """Reads everything that has a final name; returns how many snapshots there are."""
+    snapshots = sorted(folder.glob("snapshot_*.vtkhdf"))
+    for path in snapshots:
+        assert read_grid(path).GetNumberOfCells() > 0, path
+    series = folder / "snapshot.vtkhdf.series"
+    if series.exists():
+        for entry in json.loads(series.read_text())["files"]:
+            assert (folder / entry["name"]).exists(), entry
+    if (folder / "summary.json").exists():
+        json.loads((folder / "summary.json").read_text())
+    for path in list(folder.glob("probe_*.csv")) + list(folder.glob("history.csv")):
+        lines = path.read_text().splitlines()
+        assert path.read_text().endswith("\n") and len({line.count(",") for line in lines}) == 1, path
+    return len(snapshots)
+
+
+def main():
+    writer, num_snapshots, num_partial = sys.argv[1], 0, 0
+    for attempt in range(12):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            process = subprocess.Popen([writer, name, "2", "2", "quadratic", "1", "100000"])
+            while not (folder / "snapshot_0002.vtkhdf").exists():
+                time.sleep(0.001)
+            time.sleep(0.0037 * attempt)
+            process.send_signal(signal.SIGKILL)
+            assert process.wait() == -signal.SIGKILL, "the writer ended before it was killed"
+            num_snapshots += check_folder(folder)
+            num_partial += len(list(folder.glob(".*.partial")))
+    assert num_snapshots >= 12
+    print(f"{num_snapshots} snapshots readable after 12 kills; {num_partial} partial files were caught")
+
+
+if __name__ == "__main__":
+    main()

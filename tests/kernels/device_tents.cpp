@@ -1,0 +1,69 @@
+#include "tests/kernels/device_tents.hpp"
+
+#include <algorithm>
+
+namespace tentpole {
+
+DeviceTents::DeviceTents(const TentBatch& batch, const Device& device)
+    : device_(device),
+      tables_(batch.dimension, batch.degree),
+      table_block_(uploaded(tables_.block())),
+      patches_(uploaded(batch.patches)),
+      elements_(uploaded(batch.elements)),
+      prescribed_(uploaded(batch.prescribed)),
+      materials_(uploaded(batch.materials)),
+      coefficients_(uploaded(batch.coefficients)),
+      inverse_jacobians_(uploaded(batch.inverse_jacobians)),
+      records_(uploaded(batch.records)) {
+  for (const PatchDescriptor& patch : batch.patches) largest_patch_ = std::max(largest_patch_, int(patch.num_elements));
+}
+
+PatchBatch DeviceTents::view() {
+  PatchBatch view{};
+  view.num_patches = static_cast<int>(patches_.size());
+  view.num_elements = static_cast<int>(elements_.size());
+  view.patches = patches_.pointer();
+  view.elements = elements_.pointer();
+  view.prescribed = prescribed_.pointer();
+  view.materials = materials_.pointer();
+  view.coefficients = coefficients_.pointer();
+  view.inverse_jacobians = inverse_jacobians_.pointer();
+  view.records = records_.pointer();
+  return view;
+}
+
+void DeviceTents::solve(PatchSolverShape shape) {
+  PatchSolverTask task{};
+  task.batch = view();
+  task.tables = tables();
+  task.scratch_stride = patch_scratch_size(task.tables, largest_patch_, shape.lanes);
+  DeviceBuffer<double> scratch(device_, traffic_, task.scratch_stride * shape.workers);
+  DeviceBuffer<StageCycles> cycles = uploaded(std::vector<StageCycles>(shape.workers));
+  task.scratch = scratch.pointer();
+  task.cycles = cycles.pointer();
+  task.shape = shape;
+  if (device_.is_host) {
+    solve_patches_host(task);
+  } else {
+    solve_patches_device(task, device_.number);
+  }
+}
+
+void DeviceTents::download(TentBatch& batch) {
+  coefficients_.download(batch.coefficients);
+  inverse_jacobians_.download(batch.inverse_jacobians);
+  if (!batch.records.empty()) records_.download(batch.records);
+}
+
+TentBatch solved(TentBatch batch, const Device& device, PatchSolverShape shape) {
+  DeviceTents tents(batch, device);
+  tents.solve(shape);
+  tents.download(batch);
+  return batch;
+}
+
+TentBatch solved(TentBatch batch) {
+  return solved(std::move(batch), host_device(), {1, 1});
+}
+
+}  // namespace tentpole
