@@ -9,22 +9,22 @@ namespace tentpole {
 namespace {
 
 void build(SolverState& state, HostBatch& batch, int max_patches) {
-  ScopedStage stage(state.timer, Stage::meshing);
+  ScopedStage stage(state.books.timer, Stage::meshing);
   state.builder.build(batch, max_patches);
-  state.ledger.mark_wanted(batch);
+  state.books.ledger.mark_wanted(batch);
 }
 
 void commit(SolverState& state, const HostBatch& batch, bool check) {
-  ScopedStage stage(state.timer, Stage::output);
-  const double front_time = state.simulation.time_in_seconds(batch.front_minimum_time);
-  state.is_committing = true;
-  state.ledger.commit(batch, check);
-  state.recorder.finish(front_time);
+  ScopedStage stage(state.books.timer, Stage::output);
+  const double front_time = state.books.simulation.time_in_seconds(batch.front_minimum_time);
+  state.books.is_committing = true;
+  state.books.ledger.commit(batch, check);
+  state.books.recorder.finish(front_time);
   FrontState front;
-  front.cells = state.simulation.mesh.num_cells();
-  front.smallest_cell = state.simulation.smallest_edge;
-  state.history.finish(front_time, front);
-  state.is_committing = false;
+  front.cells = state.books.simulation.mesh.num_cells();
+  front.smallest_cell = state.books.simulation.smallest_edge;
+  state.books.history.finish(front_time, front);
+  state.books.is_committing = false;
 }
 
 /// The batches on their way.
@@ -42,10 +42,10 @@ bool advance(SolverState& state, const AdvanceOptions& options, Pipeline& pipeli
     queue.wait();
     std::swap(solved, running);
     std::swap(running, pitched);
-    if (!running.patches.empty()) queue.submit([&] { state.runner.run(running); });
+    if (!running.patches.empty()) queue.submit([&] { state.books.runner.run(running); });
     if (!solved.patches.empty()) {
       commit(state, solved, options.check);
-      keep_going = options.after_batch(state.simulation.time_in_seconds(solved.front_minimum_time)) && keep_going;
+      keep_going = options.after_batch(state.books.simulation.time_in_seconds(solved.front_minimum_time)) && keep_going;
       solved.clear();
     }
   } while (!running.patches.empty());
@@ -60,7 +60,7 @@ bool advance_front(SolverState& state, const AdvanceOptions& options) {
     return advance(state, options, pipeline);
   } catch (...) {
     for (const HostBatch* batch : {&pipeline.pitched, &pipeline.running})
-      take_back(*batch, state.simulation.mesh, state.front, state.sources);
+      take_back(*batch, state.books.simulation.mesh, state.front, state.sources);
     throw;
   }
 }

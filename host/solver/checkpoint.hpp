@@ -2,7 +2,8 @@
 
 #include <filesystem>
 
-#include "host/solver/solver_state.hpp"
+#include "host/solver/front_march.hpp"
+#include "host/solver/run_books.hpp"
 
 namespace tentpole {
 
@@ -11,12 +12,13 @@ namespace tentpole {
 /// tent pitched is committed. The rows of the output tables reach the disk first, so that even after a power failure
 /// the tables are at least as long as the checkpoint says. Throws std::runtime_error if the file cannot be written; an
 /// older checkpoint is then untouched.
-void save_checkpoint(const std::filesystem::path& file, const std::filesystem::path& result_folder, SolverState& state);
+void save_checkpoint(const std::filesystem::path& file, const std::filesystem::path& result_folder, RunBooks& books,
+                     const FrontMarch& march);
 
 /// Puts a checkpoint into the state of a run that has not begun, and cuts the output tables back to it. Batch size,
 /// threads and device may differ from those of the run that wrote it.
 /// Throws InputError, before any output file is touched, for a file that is damaged, no checkpoint, or of a run with
 /// other settings (naming the first one that differs); also if the output tables are missing or too short.
-void load_checkpoint(const std::filesystem::path& file, SolverState& state);
+void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march);
 
 }  // namespace tentpole

@@ -168,7 +168,6 @@ void Ledger::fill(RunSummary& summary) const {
   summary.counts.elements = num_elements_;
   summary.counts.dofs = num_elements_ * basis_.size() * simulation_.dimension();
   summary.counts.batches = num_batches_;
-  summary.counts.cells_min = summary.counts.cells_max = simulation_.mesh.num_cells();
   summary.flops = modelled_flops_.value();
   summary.energy.initial = initial_.value();
   summary.energy.external_work = external_work_.value();

@@ -1,11 +1,12 @@
 #include "host/solver/run.hpp"
 
 #include <chrono>
+#include <memory>
 
 #include "host/output/output_times.hpp"
-#include "host/solver/advance_front.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
+#include "host/solver/fixed_march.hpp"
 
 namespace tentpole {
 namespace {
@@ -85,30 +86,25 @@ class Run {
   TrafficCounters traffic_;
   Clock::time_point counted_ = Clock::now();  ///< up to here the total time is counted
   Clock::time_point last_save_ = Clock::now();
-  Front front_;
-  CellSources sources_;
   ElementStore store_;
-  BatchBuilder builder_;
   BatchRunner runner_;
   Recorder recorder_;
   History history_;
   Ledger ledger_;
-  SolverState state_;
+  RunBooks books_;
+  std::unique_ptr<FrontMarch> march_;
 };
 
 Run::Run(const Simulation& simulation, const RunOptions& options)
     : simulation_(simulation),
       options_(options),
-      front_(simulation.mesh, simulation.cell_wave_speed, simulation.settings.front.causality),
-      sources_{std::vector<std::int32_t>(simulation.mesh.num_cells(), none),
-               std::vector<std::int32_t>(simulation.mesh.num_cells(), 0)},
-      builder_(simulation, front_, sources_, store_),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
       recorder_(recorder_options(simulation, options.folder)),
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
-      state_{simulation, front_, sources_, store_, builder_, runner_, ledger_, recorder_, history_, timer_, traffic_} {
-  if (options.resume) load_checkpoint(*options.resume, state_);
+      books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
+      march_(std::make_unique<FixedMarch>(books_)) {
+  if (options.resume) load_checkpoint(*options.resume, books_, *march_);
   timer_.add(Stage::initialization, Clock::now() - counted_);
 }
 
@@ -118,7 +114,7 @@ bool Run::advance() {
   advance.max_patches = batch_size(simulation_.settings, options_.device);
   advance.check = options_.check;
   advance.after_batch = [&](double front_time) {
-    options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), simulation_.mesh.num_cells()});
+    options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), march_->num_cells()});
     interrupted = interrupted || options_.interrupted();
     return !interrupted && !checkpoint_is_due();
   };
@@ -129,11 +125,11 @@ bool Run::advance() {
   return true;
 }
 
-/// advance_front; the message of a failure also says how to go on.
+/// The march; the message of a failure also says how to go on.
 bool Run::advance_until_stopped(const AdvanceOptions& options) {
   // The type decides about the exit code, so it stays.
   try {
-    return advance_front(state_, options);
+    return march_->advance(options);
   } catch (const InputError& error) {
     throw InputError(error.what() + save_after_failure());
   } catch (const std::runtime_error& error) {
@@ -148,13 +144,13 @@ bool Run::checkpoint_is_due() const {
 
 void Run::save() {
   count_total_time();
-  save_checkpoint(checkpoint_file(), options_.folder, state_);
+  save_checkpoint(checkpoint_file(), options_.folder, books_, *march_);
   last_save_ = Clock::now();
 }
 
 /// What the message of the failure says about going on.
 std::string Run::save_after_failure() {
-  if (state_.is_committing) {
+  if (books_.is_committing) {
     const bool exists = std::filesystem::exists(checkpoint_file());
     return exists ? "\nThe checkpoint " + checkpoint_file().string() + " was written earlier in the run." : "";
   }
@@ -176,8 +172,9 @@ RunSummary Run::summary() {
   count_total_time();
   RunSummary summary;
   ledger_.fill(summary);
+  march_->fill(summary);
   summary.threads = runner_.num_threads();
-  summary.counts.dense_fallbacks = state_.num_fallbacks();
+  summary.counts.dense_fallbacks = books_.num_fallbacks();
   summary.title = simulation_.settings.title;
   summary.dimension = simulation_.dimension();
   summary.degree = simulation_.degree();
