@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "host/case_file/boundary_condition.hpp"
 #include "host/case_file/expression.hpp"
+#include "host/case_file/fracture_settings.hpp"
 #include "host/case_file/input_error.hpp"
 #include "host/case_file/material_properties.hpp"
 #include "host/mesh/box_mesh.hpp"
@@ -32,7 +34,17 @@ struct DomainSettings {
 /// [front]
 struct FrontSettings {
   double causality = 0.95;  ///< gamma in |grad tau| <= gamma / c, in (0, 1)
-  bool smoothing = false;   ///< inclined tent poles improve the shape of cells
+  bool smoothing = false;   ///< inclined tent poles improve the shape of cells; needs adaptivity or fracture
+};
+
+/// [adaptivity]
+struct AdaptivitySettings {
+  bool enabled = false;
+  double error_tolerance = 0;  ///< dissipation that one element may have, over the reference energy
+  double min_size = 0;         ///< [m]: a cell whose longest edge is at most this is not refined
+  double max_size = std::numeric_limits<double>::infinity();  ///< [m]: coarsening makes no edge longer than this
+  double coarsening = 0.05;  ///< elements below this part of the tolerance may be coarsened, in [0, 1); 0: none are
+  std::optional<double> reference_energy;  ///< [J] (D = 2: per metre of thickness, D = 1: per m^2); absent: estimated
 };
 
 enum class OutputField { displacement, velocity, stress, strain_energy_density, damage };
@@ -67,6 +79,8 @@ struct Case {
   double end_time = 0;                                  ///< [s]
   int degree = 2;                                       ///< polynomial degree k in spacetime, 1..7
   FrontSettings front;
+  AdaptivitySettings adaptivity;
+  FractureSettings fracture;
   OutputSettings output;
   std::optional<double> checkpoint_minutes;  ///< wall-clock minutes between checkpoints; absent: none are written
   int batch_size = 0;                        ///< [run] patches per batch; 0: the solver chooses
@@ -80,5 +94,9 @@ struct Case {
 /// value, or text that is taken as a string; it replaces what the file says before anything is validated.
 /// Throws InputError with all problems of the file and the overrides at once.
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// Sets what the case draws at random from: the unstructured pattern of a box, and the defects of nucleation.
+/// Throws InputError for a mesh file without nucleation, where nothing is.
+void set_seed(Case& settings, std::uint64_t seed);
 
 }  // namespace tentpole

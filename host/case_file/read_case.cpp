@@ -57,9 +57,6 @@ FrontSettings read_front(const SectionContext& context) {
   const Rule rule = between(0, 1, "Give a factor below 1; the usual value is 0.95.");
   front.causality = reader.number("causality", Presence::optional, rule).value_or(front.causality);
   front.smoothing = reader.boolean("smoothing", Presence::optional).value_or(front.smoothing);
-  if (front.smoothing)
-    context.warnings.push_back(to_string(reader.location("smoothing")) +
-                               ": has no effect on the fixed meshes of this version. Leave it out.");
   return front;
 }
 
@@ -116,6 +113,16 @@ Material Case::material(const std::string& region) const {
                    "]; given: " + given + ".");
 }
 
+void set_seed(Case& settings, std::uint64_t seed) {
+  NucleationSettings& nucleation = settings.fracture.nucleation;
+  if (!settings.domain.is_box() && nucleation.model == NucleationModel::none)
+    throw InputError(
+        "--seed " + std::to_string(seed) + ": nothing in " + settings.path.string() +
+        " is drawn at random: the mesh is a file and there is no [fracture.nucleation]. Leave --seed out.");
+  settings.domain.seed = seed;
+  nucleation.seed = seed;
+}
+
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   std::vector<Problem> problems;
   const Node root = read_document(path, overrides, problems);
@@ -133,10 +140,13 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   result.boundaries = read_boundaries(context);
   read_fields(context, result);
   result.front = read_front(context);
+  result.adaptivity = read_adaptivity(context);
+  result.fracture = read_fracture(context);
+  context.has_fracture = result.fracture.enabled;
   result.output = read_output(context);
   read_run_control(context, result);
-  check_adaptivity(context);
-  check_fracture(context);
+  check_adaptive_run(context, result);
+  if (problems.empty()) refuse_what_is_not_available(context, result);
   if (problems.empty()) return result;
   sort_by_place(problems);
   throw InputError(std::move(problems));

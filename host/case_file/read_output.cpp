@@ -49,7 +49,7 @@ std::vector<OutputField> read_fields(const TableReader& reader, const SectionCon
       reader.report("fields", "unknown field \"" + name + "\". Known: " + known + ".");
     else if (std::find(fields.begin(), fields.end(), field) == fields.end())
       fields.push_back(field);
-    if (name == "damage")
+    if (name == "damage" && !context.has_fracture)
       context.warnings.push_back(to_string(reader.location("fields")) +
                                  ": without fracture there is no damage to write.");
   }

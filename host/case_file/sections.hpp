@@ -17,6 +17,7 @@ struct SectionContext {
   Constants constants{};
   DomainSettings domain{};  ///< dimension 0: unknown, because it is faulty itself
   double end_time = 0;      ///< [s]; 0: unknown
+  bool has_fracture = false;
 
   TableReader section(const std::string& name) const { return TableReader::section(root, name, problems); }
 };
@@ -33,10 +34,18 @@ std::map<std::string, MaterialProperties> read_materials(const SectionContext& c
 std::map<std::string, BoundaryCondition> read_boundaries(const SectionContext& context);
 /// [output] and [[output.probe]]
 OutputSettings read_output(const SectionContext& context);
-/// [adaptivity]: validated, and refused when enabled.
-void check_adaptivity(const SectionContext& context);
-/// [fracture], [fracture.nucleation], [[fracture.crack]]: validated, and refused when enabled.
-void check_fracture(const SectionContext& context);
+/// [adaptivity]
+AdaptivitySettings read_adaptivity(const SectionContext& context);
+/// [fracture] with the two below.
+FractureSettings read_fracture(const SectionContext& context);
+/// [fracture.nucleation]
+NucleationSettings read_nucleation(const TableReader& nucleation);
+/// [[fracture.crack]]
+std::vector<CrackSettings> read_cracks(const TableReader& fracture, const SectionContext& context);
+/// Faults of adaptive meshes and fracture that concern several sections, and warnings. Reads the whole case but output.
+void check_adaptive_run(const SectionContext& context, const Case& settings);
+/// Adaptive meshes and fracture are read and checked, but this version cannot solve them: they may not be enabled.
+void refuse_what_is_not_available(const SectionContext& context, const Case& settings);
 
 /// True if the point lies in the closed box of the domain; true for a mesh file, whose extent is not known yet.
 bool lies_in_domain(const DomainSettings& domain, const std::vector<double>& point);

@@ -15,7 +15,7 @@ namespace tentpole {
 struct CaseOptions {
   std::filesystem::path case_file;
   std::vector<std::string> overrides;  ///< "section.key=value"
-  std::optional<std::uint64_t> seed;   ///< replaces domain.seed
+  std::optional<std::uint64_t> seed;   ///< replaces domain.seed and fracture.nucleation.seed
   int threads = 0;                     ///< 0: all of the device's
 };
 

@@ -31,7 +31,7 @@ void add_case_options(CLI::App& command, CaseOptions& input) {
       ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
-  command.add_option("--seed", input.seed, "seed of an unstructured mesh, the same as --set domain.seed=N")
+  command.add_option("--seed", input.seed, "seed of an unstructured mesh and of the defects of nucleation")
       ->type_name("N");
   command.add_option("--threads", input.threads, "number of threads (default: all)")
       ->type_name("N")

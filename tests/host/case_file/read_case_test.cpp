@@ -78,6 +78,21 @@ TEST(ReadCase, WhatIsNotAvailableYetIsRefusedWhenEnabled) {
   EXPECT_TRUE(contains(refusal("full_example.toml", {"fracture.enabled=true"}), "fracture is not available yet."));
 }
 
+TEST(SetSeed, ReachesTheMeshAndTheDefects) {
+  Case bar = read_case(valid + "full_example.toml");
+  set_seed(bar, 12345678901234567890u);
+  EXPECT_EQ(bar.domain.seed, 12345678901234567890u);
+  EXPECT_EQ(bar.fracture.nucleation.seed, 12345678901234567890u);
+}
+
+TEST(SetSeed, IsRefusedWhereNothingIsRandom) {
+  Case plate = read_case(valid + "mesh_file.toml");
+  EXPECT_THROW(set_seed(plate, 2), InputError);
+  plate.fracture.nucleation.model = NucleationModel::field;
+  set_seed(plate, 2);
+  EXPECT_EQ(plate.fracture.nucleation.seed, 2u);
+}
+
 TEST(ReadCase, OneDimensionTakesPlainNumbersAndDefaults) {
   Case bar = read_case(valid + "one_dimension.toml");
   EXPECT_EQ(bar.title, "one_dimension");

@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "host/case_file/number_text.hpp"
+#include "host/case_file/sections.hpp"
+
+namespace tentpole {
+namespace {
+
+using CrackPoint = std::array<double, 3>;
+
+/// A corner of the polyline, which is given as an array of arrays; nullopt with a problem if it is none.
+std::optional<CrackPoint> read_point(const TableReader& reader, const Node& node, const DomainSettings& domain) {
+  std::vector<double> coordinates;
+  for (const Node& child : node.children)
+    if (child.kind == Node::Kind::number || child.kind == Node::Kind::integer) coordinates.push_back(child.number);
+  const auto size = static_cast<std::size_t>(domain.dimension);
+  if (node.kind != Node::Kind::array || coordinates.size() != node.children.size() || coordinates.size() != size) {
+    reader.report(node, "is no point. Give an array of " + std::to_string(size) + " number" + (size > 1 ? "s." : "."));
+    return std::nullopt;
+  }
+  if (!lies_in_domain(domain, coordinates)) {
+    reader.report(node, "lies outside the box of [domain]. Give a point between domain.min and domain.max.");
+    return std::nullopt;
+  }
+  CrackPoint point{};
+  std::copy(coordinates.begin(), coordinates.end(), point.begin());
+  return point;
+}
+
+/// True if both points lie on one side of a generated box.
+bool on_one_side(const DomainSettings& domain, const CrackPoint& first, const CrackPoint& second) {
+  if (!domain.is_box()) return false;
+  for (int axis = 0; axis < domain.dimension; ++axis)
+    for (const double side : {domain.min[axis], domain.max[axis]})
+      if (first[axis] == side && second[axis] == side) return true;
+  return false;
+}
+
+/// A segment must have a length, and material on both sides.
+void check_segment(const TableReader& reader, const Node& node, const DomainSettings& domain, const CrackPoint& first,
+                   const CrackPoint& second) {
+  if (domain.dimension == 2 && first == second)
+    reader.report(node, "is the point before it once more. Name each corner of the polyline once.");
+  else if (on_one_side(domain, first, second))
+    reader.report(node,
+                  "makes a crack along a side of the box, where there is nothing to separate from. Move it inwards.");
+}
+
+CrackSettings read_crack(const TableReader& reader, const SectionContext& context) {
+  CrackSettings crack;
+  reader.allow_only({"points", "damage"});
+  crack.damage = reader
+                     .number("damage", Presence::required,
+                             from_to(0, 1, "Give 1 for an open crack, 0 for a line along which damage may grow."))
+                     .value_or(0);
+  const Node* points = reader.find("points");
+  const int dimension = context.domain.dimension;
+  const bool is_array = points && points->kind == Node::Kind::array;
+  if (dimension == 1 && (!is_array || points->children.size() != 1)) {
+    reader.report("points", "must be an array of one point, because domain.dimension is 1. Write points = [[x]].");
+    return crack;
+  }
+  if (dimension != 1 && (!is_array || points->children.size() < 2)) {
+    reader.report("points", "must be an array of at least 2 points. Give the corners of the polyline.");
+    return crack;
+  }
+  if (dimension == 0) return crack;
+  std::optional<CrackPoint> previous;
+  for (const Node& node : points->children) {
+    const auto point = read_point(reader, node, context.domain);
+    if (point && (previous || dimension == 1))
+      check_segment(reader, node, context.domain, previous.value_or(*point), *point);
+    if (point) crack.points.push_back(*point);
+    previous = point;
+  }
+  return crack;
+}
+
+}  // namespace
+
+std::vector<CrackSettings> read_cracks(const TableReader& fracture, const SectionContext& context) {
+  std::vector<CrackSettings> cracks;
+  for (const Node* table : fracture.tables_in_array("crack"))
+    cracks.push_back(read_crack(TableReader(*table, context.problems), context));
+  return cracks;
+}
+
+}  // namespace tentpole
