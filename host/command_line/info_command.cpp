@@ -24,6 +24,7 @@ std::string value_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_integer()) return count_text(value.get<std::int64_t>());
   if (value.is_number()) return short_number(value.get<double>());
+  if (value.is_array()) return count_text(std::ssize(value)) + " in summary.json";
   return value.dump();
 }
 
@@ -47,8 +48,9 @@ void describe_summary(const fs::path& file) {
 
 void describe_snapshot(const fs::path& file) {
   const SnapshotFile snapshot = read_snapshot(file);
-  std::cout << "snapshot at t = " << short_number(snapshot.time) << " s, " << count_text(snapshot.num_cells)
-            << " cells, " << count_text(snapshot.num_points) << " points\n";
+  std::cout << (file.filename().string().starts_with("cracks") ? "cracks" : "snapshot")
+            << " at t = " << short_number(snapshot.time) << " s, " << count_text(snapshot.num_cells) << " cells, "
+            << count_text(snapshot.num_points) << " points\n";
   Rows rows{{"field", "components", "smallest", "largest"}};
   for (const SnapshotField& field : snapshot.fields) {
     const auto [smallest, largest] = std::minmax_element(field.values.begin(), field.values.end());

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 bool is_result_file(const fs::path& file) {
   std::string name = file.filename().string();
   if (name.starts_with('.') && name.ends_with(".partial")) name.erase(0, 1);
-  for (const char* start : {"summary.json", "history.csv", "checkpoint.h5", "snapshot", "probe_"})
+  for (const char* start : {"summary.json", "history.csv", "checkpoint.h5", "snapshot", "cracks", "probe_"})
     if (name.starts_with(start)) return true;
   return false;
 }

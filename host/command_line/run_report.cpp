@@ -40,22 +40,35 @@ std::string stage_rows(const RunSummary::Stages& stages) {
 /// Largest share of the energy budget, against which a balance error is judged.
 double largest_energy(const RunSummary::Energy& energy) {
   return std::max({std::abs(energy.initial), std::abs(energy.external_work), std::abs(energy.kinetic),
-                   std::abs(energy.strain), std::abs(energy.numerical)});
+                   std::abs(energy.strain), std::abs(energy.fracture), std::abs(energy.friction),
+                   std::abs(energy.numerical)});
 }
 
 std::string energy_rows(const RunSummary& summary) {
   const char* const units[] = {"", "J/m^2", "J/m", "J"};
   const RunSummary::Energy& energy = summary.energy;
-  Rows rows{{"initial", short_number(energy.initial)},
-            {"external work", short_number(energy.external_work)},
-            {"kinetic", short_number(energy.kinetic)},
-            {"strain", short_number(energy.strain)},
+  Rows rows{{"initial", short_number(energy.initial)},         {"external work", short_number(energy.external_work)},
+            {"kinetic", short_number(energy.kinetic)},         {"strain", short_number(energy.strain)},
+            {"fracture", short_number(energy.fracture)},       {"friction", short_number(energy.friction)},
             {"numerical loss", short_number(energy.numerical)}};
   const double largest = largest_energy(energy);
   std::string error = short_number(energy.balance_error());
   if (largest > 0) error += "  (" + short_number(std::abs(energy.balance_error()) / largest) + " of the largest)";
   rows.push_back({"balance error", error});
   return "energy [" + std::string(units[summary.dimension]) + "]\n" + text_table(rows, "ll");
+}
+
+std::string fracture_rows(const RunSummary::Fracture& fracture, int dimension) {
+  const std::string length = dimension == 1 ? "" : " m";
+  return "fracture\n" +
+         text_table(
+             {{"nucleations, extensions", count_text(fracture.nucleations) + ", " + count_text(fracture.extensions)},
+              {"branches, coalescences", count_text(fracture.branches) + ", " + count_text(fracture.coalescences)},
+              {"failed surface (damage >= 0.999)", short_number(fracture.crack_length) + length},
+              {"damage, mean and largest",
+               short_number(fracture.damage_mean) + ", " + short_number(fracture.damage_max)},
+              {"fragments", count_text(std::ssize(fracture.fragments))}},
+             "ll");
 }
 
 std::string error_rows(const RunSummary::Errors& errors) {
@@ -102,6 +115,9 @@ std::string header_text(const Simulation& simulation, const Device& device, int 
 
 std::string summary_text(const RunSummary& summary) {
   std::string text = counts_line(summary) + stage_rows(summary.stages) + energy_rows(summary);
+  // A whole body without fracture is one fragment or none that anybody looked for.
+  if (summary.fracture.nucleations > 0 || summary.fracture.damage_max > 0 || summary.fracture.spalled())
+    text += fracture_rows(summary.fracture, summary.dimension);
   if (summary.errors) text += error_rows(*summary.errors);
   if (summary.traffic.launches > 0)
     text += "traffic\n  " + bytes_text(static_cast<double>(summary.traffic.bytes_to_device)) + " to the device, " +
@@ -112,10 +128,11 @@ std::string summary_text(const RunSummary& summary) {
 
 std::string files_text(const std::filesystem::path& folder) {
   Rows rows;
-  std::int64_t num_snapshots = 0;
+  std::int64_t num_snapshots = 0, num_crack_files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".vtkhdf")) ++num_snapshots;
+    if (name.starts_with("snapshot_") && name.ends_with(".vtkhdf")) ++num_snapshots;
+    if (name.starts_with("cracks_") && name.ends_with(".vtkhdf")) ++num_crack_files;
     if (name == "summary.json") rows.push_back({name, "counts, times, energies, errors"});
     if (name == "history.csv") rows.push_back({name, "energies over time"});
     if (name == "checkpoint.h5") rows.push_back({name, "go on with --resume"});
@@ -123,6 +140,9 @@ std::string files_text(const std::filesystem::path& folder) {
   }
   if (num_snapshots > 0)
     rows.push_back({"snapshot.vtkhdf.series", count_text(num_snapshots) + " snapshots, opens in ParaView"});
+  if (num_crack_files > 0)
+    rows.push_back(
+        {"cracks.vtkhdf.series", count_text(num_crack_files) + " files of fracture edges, opens in ParaView"});
   std::sort(rows.begin(), rows.end());
   return "files in " + folder.string() + "\n" + text_table(rows, "ll") + "pictures: tentpole plot " + folder.string() +
          "\n";

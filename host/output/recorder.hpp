@@ -18,7 +18,7 @@ struct RecorderOptions {
   bool plane_stress = false;           ///< D = 2: the out-of-plane stress is 0 instead of lambda tr E
   std::filesystem::path folder;        ///< created if absent
   std::vector<double> snapshot_times;  ///< [s], ascending
-  /// Among displacement, velocity, stress, strain_energy_density; damage is accepted and not yet written.
+  /// Among displacement, velocity, stress, strain_energy_density, and damage, which is one value per element.
   std::vector<std::string> fields;
   std::vector<ProbeOptions> probes;
 };

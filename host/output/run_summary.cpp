@@ -59,11 +59,22 @@ void add_identity(const RunSummary& summary, Json& json) {
   json["seed"] = summary.seed;
 }
 
-void add_counts(const RunSummary::Counts& counts, Json& json) {
-  json["counts"] = {{"patches", counts.patches},     {"elements", counts.elements},
-                    {"dofs", counts.dofs},           {"rejected", counts.rejected},
-                    {"cells_min", counts.cells_min}, {"cells_max", counts.cells_max},
-                    {"batches", counts.batches},     {"dense_fallbacks", counts.dense_fallbacks}};
+void add_counts(const RunSummary::Counts& counts, Json& json, NumberWriter& numbers) {
+  json["counts"] = {{"patches", counts.patches},
+                    {"elements", counts.elements},
+                    {"dofs", counts.dofs},
+                    {"rejected", counts.rejected},
+                    {"min_size_hits", counts.min_size_hits},
+                    {"splits", counts.splits},
+                    {"deletions", counts.deletions},
+                    {"flips", counts.flips},
+                    {"inclined", counts.inclined},
+                    {"cells_min", counts.cells_min},
+                    {"cells_max", counts.cells_max}};
+  numbers.put(json, "counts", "smallest_cell", counts.smallest_cell);
+  numbers.put(json, "counts", "largest_cell", counts.largest_cell);
+  json["counts"]["batches"] = counts.batches;
+  json["counts"]["dense_fallbacks"] = counts.dense_fallbacks;
 }
 
 void add_times(const RunSummary& summary, Json& json, NumberWriter& numbers) {
@@ -101,7 +112,13 @@ void add_fracture(const RunSummary::Fracture& fracture, Json& json, NumberWriter
                       {"branches", fracture.branches},
                       {"coalescences", fracture.coalescences}};
   numbers.put(json, "fracture", "crack_length", fracture.crack_length);
-  json["fracture"]["fragments"] = fracture.fragments;
+  numbers.put(json, "fracture", "damage_mean", fracture.damage_mean);
+  numbers.put(json, "fracture", "damage_max", fracture.damage_max);
+  json["fracture"]["spalled"] = fracture.spalled();
+  json["fracture"]["fragments"] = Json::array();
+  for (const RunSummary::Fragment& fragment : fracture.fragments)
+    json["fracture"]["fragments"].push_back(
+        {{"size", fragment.size}, {"mass", fragment.mass}, {"mean_velocity", fragment.mean_velocity}});
 }
 
 void add_errors(const RunSummary::Errors& errors, Json& json, NumberWriter& numbers) {
@@ -128,7 +145,7 @@ void write_run_summary(const std::filesystem::path& folder, const RunSummary& su
   Json json;
   NumberWriter numbers(summary.warnings);
   add_identity(summary, json);
-  add_counts(summary.counts, json);
+  add_counts(summary.counts, json, numbers);
   add_times(summary, json, numbers);
   add_energy(summary.energy, json, numbers);
   add_fracture(summary.fracture, json, numbers);

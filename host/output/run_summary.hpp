@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -30,8 +31,15 @@ struct RunSummary {
     std::int64_t elements = 0;
     std::int64_t dofs = 0;  ///< unknowns solved for, over all accepted elements
     std::int64_t rejected = 0;
+    std::int64_t min_size_hits = 0;  ///< refinements that were wanted and not made because cells have the least size
+    std::int64_t splits = 0;         ///< cells cut in two
+    std::int64_t deletions = 0;      ///< vertices taken out
+    std::int64_t flips = 0;          ///< edges turned
+    std::int64_t inclined = 0;       ///< tents with an inclined pole
     std::int64_t cells_min = 0;
     std::int64_t cells_max = 0;
+    double smallest_cell = 0;  ///< [m], shortest edge that the front ever had
+    double largest_cell = 0;   ///< [m], longest edge that it ever had
     std::int64_t batches = 0;
     std::int64_t dense_fallbacks = 0;  ///< patches that needed the pivoted dense solution
   } counts;
@@ -60,13 +68,25 @@ struct RunSummary {
     double balance_error() const;
   } energy;
 
+  /// One of the parts into which fully failed edges cut the body.
+  struct Fragment {
+    double size = 0;                        ///< [m^D]
+    double mass = 0;                        ///< [kg, per unit of the missing dimensions]
+    std::array<double, 3> mean_velocity{};  ///< [m/s]
+  };
+
+  /// At the end of the run.
   struct Fracture {
     std::int64_t nucleations = 0;
     std::int64_t extensions = 0;
     std::int64_t branches = 0;
     std::int64_t coalescences = 0;
-    double crack_length = 0;
-    std::int64_t fragments = 0;
+    double crack_length = 0;  ///< [m^(D-1)], surfaces with D >= 0.999
+    double damage_mean = 0;   ///< over all fracture surfaces
+    double damage_max = 0;
+    std::vector<Fragment> fragments{};  ///< one entry for a body that is whole; empty where nobody looked
+    /// Whether a failed surface runs through the whole body.
+    bool spalled() const { return fragments.size() > 1; }
   } fracture;
 
   struct Errors {

@@ -15,7 +15,7 @@ namespace {
 
 struct FieldKind {
   const char* name;
-  int num_components;
+  int num_components;  ///< per point; 0: one value per cell
 };
 constexpr FieldKind field_kinds[] = {
     {"displacement", 3}, {"velocity", 3}, {"stress", 6}, {"strain_energy_density", 1}, {"damage", 0}};
@@ -28,7 +28,7 @@ const FieldKind& find_field(const std::string& name) {
       "\" is unknown; allowed are displacement, velocity, stress, strain_energy_density, damage");
 }
 
-/// Appends the wanted fields at one point. "damage" lives on fracture surfaces and adds nothing to a volume snapshot.
+/// Appends the wanted fields at one point; damage belongs to the cells.
 void append_values(const std::vector<std::string>& names, const PointFields& fields, std::vector<double>& values) {
   const auto append = [&](const auto& array) { values.insert(values.end(), array.begin(), array.end()); };
   for (const std::string& name : names) {
@@ -65,6 +65,7 @@ void append_piece(const SnapshotPiece& piece, std::int64_t number, UnstructuredG
   grid.types.insert(grid.types.end(), num_cells, static_cast<std::uint8_t>(piece.cells.shape));
   grid.cell_numbers[0].values.insert(grid.cell_numbers[0].values.end(), num_cells, number);
   grid.cell_numbers[1].values.insert(grid.cell_numbers[1].values.end(), num_cells, piece.region);
+  for (GridArray<double>& array : grid.cell_data) array.values.insert(array.values.end(), num_cells, piece.damage);
   append_point_data(piece, grid.point_data);
 }
 
@@ -72,6 +73,7 @@ void save_piece(std::ostream& stream, const SnapshotPiece& piece) {
   write_value(stream, piece.place);
   write_value(stream, piece.id);
   write_value(stream, piece.region);
+  write_value(stream, piece.damage);
   write_value(stream, piece.cells.shape);
   write_vector(stream, piece.cells.points);
   write_vector(stream, piece.cells.connectivity);
@@ -83,6 +85,7 @@ SnapshotPiece load_piece(std::istream& stream) {
   piece.place = read_value<std::array<double, 4>>(stream);
   piece.id = read_value<std::int64_t>(stream);
   piece.region = read_value<std::int64_t>(stream);
+  piece.damage = read_value<double>(stream);
   piece.cells.shape = read_value<SliceShape>(stream);
   piece.cells.points = read_vector<std::array<double, 3>>(stream);
   piece.cells.connectivity = read_vector<int>(stream);
@@ -112,8 +115,12 @@ void SnapshotSeries::record(const SpacetimeElement& element, const ElementFields
                              ", which was written before; finish() was called with a front time that is too late");
     const std::optional<Slice> slice = slice_element(element, time);
     if (!slice) continue;
-    SnapshotPiece piece{
-        element.centroid(), element.id, element.region, subdivide(*slice, options_.num_subdivisions), {}};
+    SnapshotPiece piece{element.centroid(),
+                        element.id,
+                        element.region,
+                        element.damage,
+                        subdivide(*slice, options_.num_subdivisions),
+                        {}};
     for (const auto& point : piece.cells.points) {
       std::array<double, 4> event{point[0], point[1], point[2], 0};
       event[dimension] = time;
@@ -143,9 +150,10 @@ void SnapshotSeries::write_snapshot(int index) {
   UnstructuredGrid grid;
   grid.time = options_.times[index];
   grid.cell_numbers = {{"element", 1, {}}, {"region", 1, {}}};
-  for (const std::string& name : options_.fields)
-    if (const int num_components = find_field(name).num_components)
-      grid.point_data.push_back({name, num_components, {}});
+  for (const std::string& name : options_.fields) {
+    const int num_components = find_field(name).num_components;
+    (num_components > 0 ? grid.point_data : grid.cell_data).push_back({name, std::max(num_components, 1), {}});
+  }
   for (std::size_t number = 0; number < pieces.size(); ++number)
     append_piece(pieces[number], static_cast<std::int64_t>(number), grid);
   write_vtkhdf(options_.folder / snapshot_name(index), grid);

@@ -18,6 +18,7 @@ struct SnapshotPiece {
   std::array<double, 4> place{};  ///< centroid of the element, the order in the file
   std::int64_t id = 0;
   std::int64_t region = 0;
+  double damage = 0;  ///< of the element
   SliceCells cells;
   std::vector<double> values;  ///< [num_points][all components of all fields]
 };

@@ -17,6 +17,7 @@ struct SpacetimeElement {
   int region = 0;                                 ///< region number of the mesh
   std::int64_t id = 0;                            ///< named in messages; need not be independent of the batch size
   Material material{};                            ///< [kg/m^3, Pa]
+  double damage = 0;                              ///< largest damage of the fracture edges of its front cell
   /// Displacement [m]: dof (i, a) at i * num_basis + a in the orthonormal basis of degree k on the reference simplex of
   /// dimension D + 1, xi = J^-1 (x - corner_0), columns of J are corner_l - corner_0, l = 1..D+1. Not owned.
   std::span<const double> coefficients;

@@ -38,8 +38,9 @@ TEST(ResultFolder, OlderResultsMoveToTheFirstFreeNumber) {
 }
 
 TEST(ResultFolder, WhatAKilledRunLeavesCountsAsAResult) {
-  for (const char* name : {"history.csv", "probe_mid.csv", "snapshot_0000.vtkhdf", "checkpoint.h5",
-                           ".snapshot_0000.vtkhdf.partial", ".checkpoint.h5.partial"}) {
+  for (const char* name :
+       {"history.csv", "probe_mid.csv", "snapshot_0000.vtkhdf", "checkpoint.h5", "cracks_0000.vtkhdf",
+        ".snapshot_0000.vtkhdf.partial", ".cracks_0000.vtkhdf.partial", ".checkpoint.h5.partial"}) {
     const TemporaryTestFolder root("result_folder_killed");
     root.write(name, "x");
     EXPECT_TRUE(holds_result(root.path())) << name;

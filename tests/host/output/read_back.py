@@ -1,4 +1,7 @@
-"""read_back.py WRITER SOURCE: snapshots of a quadratic field, read by VTK, hold that field and fill the domain."""
+"""read_back.py WRITER SOURCE: what VTK reads from a result is what was written.
+
+Snapshots of a quadratic field hold that field and fill the domain; the files of a made-up crack hold its damage and opening.
+"""
 import json
 import subprocess
 import sys
@@ -54,7 +57,7 @@ def check_snapshot(path, dimension, time):
     for index, (i, j) in enumerate(components):
         check_close(f"stress {i}{j}", point_array(grid, "stress")[:, index], stress[:, i, j], 1e5)
     check_close("strain_energy_density", point_array(grid, "strain_energy_density"), energy, 0.1)
-    assert grid.GetPointData().GetArray("damage") is None
+    assert grid.GetPointData().GetArray("damage") is None and np.all(cell_array(grid, "damage") == 0)
     element = cell_array(grid, "element")
     assert np.all(np.diff(element) >= 0) and element[0] == 0
     assert set(cell_array(grid, "region")) == {1, 2}
@@ -94,6 +97,53 @@ def check_tables(folder, dimension):
         check_close("kinetic energy", history["kinetic"], kinetic, kinetic[-1])
 
 
+def check_crack_file(path, dimension, degree, time):
+    """The crack of sample_crack.hpp at one time; returns its total length (D = 1: number of vertices)."""
+    grid = read_grid(path)
+    assert grid.GetFieldData().GetArray("time").GetValue(0) == time
+    if grid.GetNumberOfCells() == 0:
+        assert time < 6.1e-8, "no crack after it began"
+        return 0
+    assert time > 6e-8, "a crack before it began"
+    position, damage, opening = points(grid), point_array(grid, "damage"), point_array(grid, "opening")
+    edge, mode = cell_array(grid, "edge"), cell_array(grid, "mode")
+    assert np.all(mode == 0)
+    kinds = {grid.GetCellType(cell) for cell in range(grid.GetNumberOfCells())}
+    assert kinds == {1 if dimension == 1 else 3}, kinds
+    per_edge = 1 if dimension == 1 else degree + 2  # lines between degree + 1 Gauss points and two ends
+    assert np.array_equal(edge, np.repeat(np.arange(len(edge) // per_edge), per_edge))
+    age = time - 6e-8 - (np.abs(position[:, 1] - 1e-4) / 4e3 if dimension == 2 else 0)
+    expected = 1 - np.exp(-np.maximum(age, 0) / 3e-9)
+    inner = np.ones(len(position), bool)
+    if dimension == 2:  # the ends of a chain repeat the value of the Gauss point beside them
+        chains = np.arange(len(position)).reshape(-1, degree + 3)
+        inner[chains[:, [0, -1]]] = False
+        for values in (damage, opening):
+            assert np.array_equal(values[chains[:, 0]], values[chains[:, 1]])
+            assert np.array_equal(values[chains[:, -1]], values[chains[:, -2]])
+    assert np.max(np.abs(damage - expected)[inner]) < 1e-9
+    assert np.all((opening > 0) == (damage > 0)) and opening.max() < 2e-6
+    if dimension == 1:
+        return len(position)
+    ends = [grid.GetCell(cell).GetBounds() for cell in range(grid.GetNumberOfCells())]
+    return sum(np.hypot(b[1] - b[0], b[3] - b[2]) for b in ends)
+
+
+def check_cracks(folder, dimension, degree):
+    series = json.loads((folder / "cracks.vtkhdf.series").read_text())["files"]
+    snapshots = json.loads((folder / "snapshot.vtkhdf.series").read_text())["files"]
+    assert [entry["time"] for entry in series] == [entry["time"] for entry in snapshots]
+    sizes = [check_crack_file(folder / entry["name"], dimension, degree, entry["time"]) for entry in series]
+    assert sizes[0] == 0 and np.all(np.diff(sizes) >= 0)
+    # The path between the regions runs along mesh edges over the width of 0.2 mm.
+    assert sizes[-1] == 1 if dimension == 1 else 2e-4 <= sizes[-1] < 4e-4, sizes
+    damage = cell_array(read_grid(folder / snapshots[-1]["name"]), "damage")
+    assert damage.min() == 0 and 0.999 < damage.max() < 1
+    history = np.genfromtxt(folder / "history.csv", delimiter=",", names=True)
+    assert history["damage_max"][0] == 0 and history["damage_max"][-1] > 0.999 and history["fragments"][-1] == 2
+    assert history["fracture"][-1] > 0
+
+
 def main():
     writer = sys.argv[1]
     for dimension, degree in ((1, 2), (2, 3), (3, 2), (3, 3)):
@@ -107,6 +157,10 @@ def main():
                 check_snapshot(folder / entry["name"], dimension, entry["time"])
             check_tables(folder, dimension)
             assert not list(folder.glob(".*")), "partial files are left"
+    for dimension, degree in ((1, 2), (2, 2)):
+        with tempfile.TemporaryDirectory() as name:
+            subprocess.run([writer, name, str(dimension), str(degree), "crack", "5"], check=True)
+            check_cracks(Path(name), dimension, degree)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,42 @@ TEST(RunSummary, HoldsCountsSharesAndRates) {
   EXPECT_FALSE(json["version"].get<std::string>().empty());
 }
 
+TEST(RunSummary, HoldsRefinementAndFracture) {
+  ResultFolder folder("summary_fracture");
+  RunSummary summary;
+  summary.counts = {.rejected = 3, .min_size_hits = 1, .splits = 40, .deletions = 12, .flips = 5, .inclined = 2};
+  summary.counts.smallest_cell = 5e-7;
+  summary.counts.largest_cell = 5e-5;
+  summary.energy = {.external_work = 10, .kinetic = 4, .strain = 3, .fracture = 2, .friction = 0.5, .numerical = 0.5};
+  summary.fracture = {.nucleations = 2, .extensions = 9, .branches = 1, .coalescences = 1, .crack_length = 2e-4};
+  summary.fracture.damage_mean = 0.75;
+  summary.fracture.damage_max = 1;
+  write_run_summary(folder.path(), summary);
+  auto json = nlohmann::json::parse(folder.read("summary.json"));
+  EXPECT_EQ(json["counts"]["min_size_hits"], 1);
+  EXPECT_EQ(json["counts"]["splits"], 40);
+  EXPECT_EQ(json["counts"]["deletions"], 12);
+  EXPECT_EQ(json["counts"]["flips"], 5);
+  EXPECT_EQ(json["counts"]["inclined"], 2);
+  EXPECT_EQ(json["counts"]["smallest_cell"], 5e-7);
+  EXPECT_EQ(json["counts"]["largest_cell"], 5e-5);
+  EXPECT_EQ(json["energy"]["balance_error"], 0);
+  EXPECT_EQ(json["fracture"]["extensions"], 9);
+  EXPECT_EQ(json["fracture"]["damage_mean"], 0.75);
+  EXPECT_EQ(json["fracture"]["damage_max"], 1);
+  EXPECT_EQ(json["fracture"]["spalled"], false);
+  EXPECT_TRUE(json["fracture"]["fragments"].empty());
+
+  summary.fracture.fragments = {{.size = 1e-7, .mass = 3.69e-4, .mean_velocity = {-12, 0, 0}},
+                                {.size = 1e-7, .mass = 3.69e-4, .mean_velocity = {12, 0.5, 0}}};
+  write_run_summary(folder.path(), summary);
+  json = nlohmann::json::parse(folder.read("summary.json"));
+  EXPECT_EQ(json["fracture"]["spalled"], true);
+  ASSERT_EQ(json["fracture"]["fragments"].size(), 2u);
+  EXPECT_EQ(json["fracture"]["fragments"][0]["mass"], 3.69e-4);
+  EXPECT_EQ(json["fracture"]["fragments"][1]["mean_velocity"], (std::vector<double>{12, 0.5, 0}));
+}
+
 TEST(RunSummary, NumbersThatAreNotFiniteBecomeNullAndAWarning) {
   ResultFolder folder("summary_nan");
   RunSummary summary;

@@ -1,5 +1,5 @@
 // write_sample_result FOLDER DIMENSION DEGREE FIELD ORDER_SEED [REPETITIONS]: a complete result folder from a known
-// field (FIELD = quadratic or wave) for the Python tests and for looking at scripts/plot.py.
+// field (FIELD = quadratic, wave or crack) for the Python tests and for looking at scripts/plot.py.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +12,7 @@
 #include "host/output/output_times.hpp"
 #include "host/output/recorder.hpp"
 #include "host/output/run_summary.hpp"
+#include "tests/host/output/sample_crack.hpp"
 #include "tests/host/output/sample_fields.hpp"
 #include "tests/host/output/slice_energy.hpp"
 
@@ -19,27 +20,28 @@ namespace {
 
 using namespace tentpole;
 
-constexpr double wave_velocity = 6.1;  // [m/s]
-constexpr double wave_ramp = 1e-8;     // [s]
+enum class SampleField { quadratic, wave, crack };
 
-PitchedBox sample_box(int dimension, int degree, bool wave) {
+constexpr SampleCrack sample_crack;
+
+PitchedBox sample_box(int dimension, int degree, SampleField field) {
   PitchedBox box;
   box.dimension = dimension;
   box.degree = degree;
-  if (!wave) return box;
+  if (field == SampleField::quadratic) return box;
   box.length = {1e-3, 2e-4, 2e-4};
   box.cells = dimension == 1 ? std::array{60, 1, 1} : dimension == 2 ? std::array{44, 9, 1} : std::array{15, 3, 3};
   box.tent_height = dimension == 3 ? 5e-9 : 2.5e-9;
-  box.end = 5e-8;
+  box.end = field == SampleField::crack ? 1.1e-7 : 5e-8;
   return box;
 }
 
-RecorderOptions recorder_options(const PitchedBox& box, const std::filesystem::path& folder) {
+RecorderOptions recorder_options(const PitchedBox& box, const std::filesystem::path& folder, int num_snapshots) {
   RecorderOptions options;
   options.dimension = box.dimension;
   options.degree = box.degree;
   options.folder = folder;
-  options.snapshot_times = equally_spaced_times(5, box.end);
+  options.snapshot_times = equally_spaced_times(num_snapshots, box.end);
   options.fields = {"displacement", "velocity", "stress", "strain_energy_density", "damage"};
   std::array<double, 3> middle = box.length;
   for (double& x : middle) x *= 0.5;
@@ -66,16 +68,29 @@ void add_end_work(const PitchedBox& box, History& history) {
   const int num_steps = 1000;
   const double step = box.end / num_steps;
   for (int i = 0; i < num_steps; ++i) {
-    const double r = std::min(1.0, (i + 0.5) * step / wave_ramp);
-    const double velocity = wave_velocity * r * r * (3 - 2 * r);
+    const double r = std::min(1.0, (i + 0.5) * step / sample_crack.ramp);
+    const double velocity = sample_crack.velocity * r * r * (3 - 2 * r);
     history.add_interval(i * step, (i + 1) * step,
                          {.external_work = 2 * area * impedance * velocity * velocity * step});
   }
 }
 
-void write_result(const PitchedBox& box, const PitchedElements& pitched, const std::filesystem::path& folder, bool wave,
-                  unsigned seed) {
-  Recorder recorder(recorder_options(box, folder));
+/// The crack at all output times, and the rows of the history with it.
+void add_crack(const PitchedBox& box, const PitchedElements& pitched, const RecorderOptions& options,
+               History& history) {
+  CrackSeries cracks({.dimension = box.dimension, .folder = options.folder, .times = options.snapshot_times});
+  const double fracture_power = 0.02 * box.length[1];  // [W] per unit of the missing dimensions, any number
+  history.add_interval(sample_crack.start, box.end, {.fracture = fracture_power * (box.end - sample_crack.start)});
+  for (const double time : options.snapshot_times)
+    cracks.finish(time, crack_segments(box, pitched, sample_crack, time));
+  for (const double time : history.times())
+    history.finish(time, front_state(box.dimension, crack_segments(box, pitched, sample_crack, time), pitched));
+}
+
+void write_result(const PitchedBox& box, const PitchedElements& pitched, const std::filesystem::path& folder,
+                  SampleField field, unsigned seed) {
+  const RecorderOptions options = recorder_options(box, folder, field == SampleField::crack ? 11 : 5);
+  Recorder recorder(options);
   History history(folder, box.end / 50, box.end);
   std::vector<std::size_t> order(pitched.elements.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -84,8 +99,9 @@ void write_result(const PitchedBox& box, const PitchedElements& pitched, const s
     recorder.record(pitched.elements[index]);
     add_history(box, pitched.elements[index], history);
   }
-  if (wave) add_end_work(box, history);
+  if (field != SampleField::quadratic) add_end_work(box, history);
   recorder.finish(box.end);
+  if (field == SampleField::crack) add_crack(box, pitched, options, history);
   history.finish(box.end, {.cells = static_cast<std::int64_t>(pitched.elements.size())});
   RunSummary summary;
   summary.title = "sample field";
@@ -96,21 +112,32 @@ void write_result(const PitchedBox& box, const PitchedElements& pitched, const s
   write_run_summary(folder, summary);
 }
 
+PitchedElements pitch_sample(const PitchedBox& box, SampleField field) {
+  if (field == SampleField::crack) return pitch_cracked(box, sample_crack);
+  const double speed = box.material.dilatational_speed();
+  return pitch_elements(box, field == SampleField::wave
+                                 ? wave_field(box.length[0], speed, sample_crack.velocity, sample_crack.ramp)
+                                 : quadratic_field(box.dimension));
+}
+
+SampleField field_named(const std::string& name) {
+  if (name == "wave") return SampleField::wave;
+  return name == "crack" ? SampleField::crack : SampleField::quadratic;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
   if (count < 6) {
-    std::cerr << "write_sample_result FOLDER DIMENSION DEGREE quadratic|wave ORDER_SEED [REPETITIONS]\n";
+    std::cerr << "write_sample_result FOLDER DIMENSION DEGREE quadratic|wave|crack ORDER_SEED [REPETITIONS]\n";
     return 2;
   }
-  const bool wave = std::string(arguments[4]) == "wave";
-  const PitchedBox box = sample_box(std::atoi(arguments[2]), std::atoi(arguments[3]), wave);
-  const double speed = box.material.dilatational_speed();
-  const PitchedElements pitched = pitch_elements(
-      box, wave ? wave_field(box.length[0], speed, wave_velocity, wave_ramp) : quadratic_field(box.dimension));
+  const SampleField field = field_named(arguments[4]);
+  const PitchedBox box = sample_box(std::atoi(arguments[2]), std::atoi(arguments[3]), field);
+  const PitchedElements pitched = pitch_sample(box, field);
   const int repetitions = count > 6 ? std::atoi(arguments[6]) : 1;
   for (int i = 0; i < repetitions; ++i)
-    write_result(box, pitched, arguments[1], wave, static_cast<unsigned>(std::atoi(arguments[5])));
+    write_result(box, pitched, arguments[1], field, static_cast<unsigned>(std::atoi(arguments[5])));
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
