@@ -19,9 +19,7 @@ class PatchBenchmark {
       : tables_(dimension, degree), batch_(sample(dimension, degree, num_patches)) {
     task_.batch = batch_.view();
     task_.tables = tables_.view();
-    int largest = 0;
-    for (const PatchDescriptor& patch : batch_.patches) largest = std::max(largest, int(patch.num_elements));
-    task_.scratch_stride = patch_scratch_size(task_.tables, largest, 1);
+    task_.scratch_stride = patch_scratch_size(task_.tables, batch_.patches, 1);
     scratch_.resize(task_.scratch_stride * workers);
     cycles_.resize(workers);
     task_.scratch = scratch_.data();
@@ -52,7 +50,8 @@ class PatchBenchmark {
     double flops = 0;
     for (std::size_t e = 0; e < batch_.elements.size(); ++e) {
       int ports = 0;
-      for (int facet = 0; facet <= batch_.dimension; ++facet) ports += batch_.elements[e].neighbor[facet] != none;
+      for (int facet = 0; facet <= batch_.dimension + 1; ++facet)
+        ports += is_shared(batch_.elements[e].facet_kind[facet]);
       flops += flops_per_element(task_.tables, ports, batch_.records[e].num_iterations);
     }
     return flops;

@@ -11,6 +11,7 @@ enum class Status : int {
   singular_pivot = 3,          ///< a pivot of the unpivoted elimination vanished or is not finite
   coupling_not_converged = 4,  ///< the amplitude system of the patch did not reach its tolerance
   residual_too_large = 5,      ///< relative residual above tolerance after refinement
+  damage_not_converged = 6,    ///< the damage loop of a patch with fracture facets did not settle
 };
 
 constexpr const char* status_name(Status status) {
@@ -27,6 +28,8 @@ constexpr const char* status_name(Status status) {
       return "amplitude coupling not converged";
     case Status::residual_too_large:
       return "residual too large";
+    case Status::damage_not_converged:
+      return "damage not converged";
   }
   return "unknown status";
 }

@@ -3,15 +3,19 @@
 #include <cmath>
 
 #include "kernels/condensed_element.hpp"
+#include "kernels/fracture_link.hpp"
 #include "kernels/lanes.hpp"
+#include "kernels/patch_batch.hpp"
 #include "kernels/simd.hpp"
 
 namespace tentpole {
 
 /// The small system that couples the elements of one patch through their amplitudes,
-///     x_in(e, port) = [ t + T x_in ](neighbour, its port),     T = - lower right block of the condensed matrices.
-/// T is a contraction in energy and I - T has a condition below about 10 (docs/formulation.md), so GMRES without
-/// restart reaches rounding in some ten to thirty products with the small blocks.
+///     x_in = E (t + T x_in),     T = - lower right block of the condensed matrices,
+/// where E hands the outgoing amplitudes of a port to the port on the other side of the facet, or through a fracture
+/// facet (fracture_link.hpp). T is a contraction in energy and I - T has a condition below about 10
+/// (docs/formulation.md), so GMRES without restart reaches rounding in some ten to thirty products with the small
+/// blocks.
 struct AmplitudeSystem {
   int num_elements;
   int amplitudes_per_port;
@@ -20,8 +24,11 @@ struct AmplitudeSystem {
       response;                ///< [element]: lower right block transposed, -T^T, padded with zeros to multiples of 4
   const int* response_stride;  ///< [element]
   const int* num_amplitudes;   ///< [element]
-  const int* source;           ///< [element * max_ports + port]: first entry of the partner port, or none
+  const int* source;           ///< [element * max_ports + port]: first entry of the partner port, or none; none also on
+                               ///< fracture facets
   int max_ports;
+  int num_fractures;
+  const FractureLink* fractures;  ///< [num_fractures]
   int size() const { return num_elements * max_amplitudes; }
 };
 
@@ -64,16 +71,27 @@ inline double shared_dot(const double* left, const double* right, int n, double*
   }
 }
 
-/// Moves outgoing amplitudes to the port of the neighbour that receives them: out[e, port] = from[source].
+/// to += scale E from: outgoing amplitudes reach the port of the neighbour that receives them, or pass a fracture
+/// facet.
+template <class Lanes>
+inline void add_exchanged(const AmplitudeSystem& system, const double* from, double* to, const Lanes& lanes) {
+  for (int link = lanes.first(); link < system.num_elements * system.max_ports; link += lanes.count()) {
+    const int source = system.source[link];
+    if (source == none) continue;
+    double* target = to + link * system.amplitudes_per_port;
+    for (int entry = 0; entry < system.amplitudes_per_port; ++entry) target[entry] += from[source + entry];
+  }
+  for (int f = lanes.first(); f < system.num_fractures; f += lanes.count())
+    add_through_fracture(system.fractures[f], from, to);
+  lanes.synchronize();
+}
+
+/// to = E from.
 template <class Lanes>
 inline void exchange_amplitudes(const AmplitudeSystem& system, const double* from, double* to, const Lanes& lanes) {
-  for (int link = lanes.first(); link < system.num_elements * system.max_ports; link += lanes.count()) {
-    double* target = to + link * system.amplitudes_per_port;
-    const int source = system.source[link];
-    for (int entry = 0; entry < system.amplitudes_per_port; ++entry)
-      target[entry] = source == -1 ? 0.0 : from[source + entry];
-  }
+  for (int i = lanes.first(); i < system.size(); i += lanes.count()) to[i] = 0;
   lanes.synchronize();
+  add_exchanged(system, from, to, lanes);
 }
 
 /// out[0 .. 4 vectors) = sum_j rows[j][0 .. 4 vectors) x[j].
@@ -106,20 +124,23 @@ inline void respond(const double* response, long stride, int num_amplitudes, con
   }
 }
 
-/// to = (I - exchange T) from. `product` has size() + 4 entries.
+/// product = -T x of all elements; it has size() + 4 entries.
+template <class Lanes>
+inline void respond_all(const AmplitudeSystem& system, const double* x, double* product, const Lanes& lanes) {
+  for (int element = 0; element < system.num_elements; ++element)
+    respond(system.response[element], system.response_stride[element], system.num_amplitudes[element],
+            x + element * system.max_amplitudes, product + element * system.max_amplitudes, lanes);
+  lanes.synchronize();
+}
+
+/// to = (I - E T) from. `product` has size() + 4 entries.
 template <class Lanes>
 inline void apply_coupling(const AmplitudeSystem& system, const double* from, double* product, double* to,
                            const Lanes& lanes) {
-  for (int element = 0; element < system.num_elements; ++element)
-    respond(system.response[element], system.response_stride[element], system.num_amplitudes[element],
-            from + element * system.max_amplitudes, product + element * system.max_amplitudes, lanes);
+  respond_all(system, from, product, lanes);
+  for (int i = lanes.first(); i < system.size(); i += lanes.count()) to[i] = from[i];
   lanes.synchronize();
-  for (int link = lanes.first(); link < system.num_elements * system.max_ports; link += lanes.count()) {
-    const int source = system.source[link], first = link * system.amplitudes_per_port;
-    for (int entry = 0; entry < system.amplitudes_per_port; ++entry)
-      to[first + entry] = from[first + entry] + (source == -1 ? 0.0 : product[source + entry]);
-  }
-  lanes.synchronize();
+  add_exchanged(system, product, to, lanes);
 }
 
 /// Classical Gram-Schmidt, four basis vectors at a time: column[i] = basis_i . next, then next -= sum_i column[i]

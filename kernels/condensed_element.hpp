@@ -4,6 +4,19 @@
 
 namespace tentpole {
 
+/// Sizes that all elements of a patch share.
+struct PatchShape {
+  int max_ports;            ///< interior facets of an element at most
+  int amplitudes_per_port;  ///< slots for the waves that pass through one of them in one direction
+
+  PatchShape(const ReferenceTablesView& tables, bool is_general) {
+    const int dimension = tables.dimension, num_waves = dimension == 1 ? 2 : 5;
+    max_ports = is_general ? dimension + 1 : dimension;
+    amplitudes_per_port =
+        is_general ? num_waves * tables.num_facet_modes + num_symmetric(dimension) : dimension * tables.num_facet_modes;
+  }
+};
+
 /// Shape of one element's condensed system
 ///     [ A    P ]      A   [n x n]  volume, inflow and own sides of the vertical facets
 ///     [ O^T  0 ]      P   how incoming amplitudes load the element, O its outgoing amplitudes,
@@ -12,16 +25,18 @@ namespace tentpole {
 struct CondensedShape {
   int num_unknowns;         ///< n
   int unknowns_padded;      ///< first column of P and first row of O^T
-  int amplitudes_per_port;  ///< r = D num_facet_modes
-  int num_amplitudes;       ///< R = r num_ports
+  int vertical_amplitudes;  ///< r = D num_facet_modes: of a vertical facet
+  int amplitudes_per_port;  ///< r, or more in a general patch: room for the waves and rigid modes of an inclined facet
+  int num_amplitudes;       ///< R = amplitudes_per_port num_ports
   int amplitudes_padded;
   int rows;    ///< unknowns_padded + amplitudes_padded
   int stride;  ///< >= rows; not a multiple of 128 doubles, which would crowd a few cache sets
 
-  CondensedShape(const ReferenceTablesView& tables, int num_ports)
+  CondensedShape(const ReferenceTablesView& tables, const PatchShape& patch, int num_ports)
       : num_unknowns(tables.num_unknowns),
         unknowns_padded((num_unknowns + 3) / 4 * 4),
-        amplitudes_per_port(tables.dimension * tables.num_facet_modes),
+        vertical_amplitudes(tables.dimension * tables.num_facet_modes),
+        amplitudes_per_port(patch.amplitudes_per_port),
         num_amplitudes(amplitudes_per_port * num_ports),
         amplitudes_padded((num_amplitudes + 3) / 4 * 4),
         rows(unknowns_padded + amplitudes_padded),

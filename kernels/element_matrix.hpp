@@ -13,15 +13,16 @@ template <int D>
 struct FacetWeights {
   static constexpr int pairs = (D + 1) * (D + 1);
   int num_facets;
-  const double* gram[D + 1];  ///< table of each facet, [a][l, l'][b]
-  double weight[D + 1][pairs][D * D];
+  const double* gram[D + 2];  ///< table of each facet, [a][l, l'][b]
+  double weight[D + 2][pairs][D * D];
 };
 
-/// -int what^T A_N w over the inflow facet, with A_N = N_t diag(rho, C^-1) - [0 N_x; N_x^T 0]:
+/// -int what^T A_N w over an inflow facet, with A_N = N_t diag(rho, C^-1) - [0 N_x; N_x^T 0]:
 /// (-N_t) (rho v.v + E:C:E) + vhat.(sigma N_x) + (sigmahat N_x).v.
 template <int D>
-inline void inflow_weights(const ElementOperator<D>& op, double (&weight)[(D + 1) * (D + 1)][D * D]) {
-  const double* normal = op.inflow_covector;
+inline void inflow_weights(const ElementOperator<D>& op, const FrontFacet<D>& facet,
+                           double (&weight)[(D + 1) * (D + 1)][D * D]) {
+  const double* normal = facet.covector;
   const double minus_time = -normal[D];
   for (int l = 0; l <= D; ++l)
     for (int k = 0; k <= D; ++k) {
@@ -90,17 +91,37 @@ inline void vertical_weights(const VerticalFacet<D>& facet, double (&weight)[(D 
         }
 }
 
+/// -int what^T A_N^- w of an inclined facet: the sum over incoming waves of wave(what) wave(w).
+template <int D>
+inline void inclined_weights(const InclinedFacet<D>& facet, double (&weight)[(D + 1) * (D + 1)][D * D]) {
+  constexpr int d = D + 1;
+  for (int l = 0; l < d; ++l)
+    for (int k = 0; k < d; ++k)
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) {
+          double sum = 0;
+          for (int c = 0; c < facet.num_waves; ++c) sum += facet.incoming[c][i][l] * facet.incoming[c][j][k];
+          weight[l * d + k][i * D + j] = sum;
+        }
+}
+
 template <int D>
 inline void build_facet_weights(const ElementOperator<D>& op, const ReferenceTablesView& tables,
                                 FacetWeights<D>& weights) {
-  const long gram_size = static_cast<long>(tables.num_basis) * weights.pairs * tables.basis_stride;
-  weights.num_facets = 1 + op.num_vertical;
-  weights.gram[0] = tables.inflow_gram;
-  inflow_weights<D>(op, weights.weight[0]);
-  for (int f = 0; f < op.num_vertical; ++f) {
-    weights.gram[f + 1] = tables.vertical_gram + op.vertical[f].facet * gram_size;
-    vertical_weights<D>(op.vertical[f], weights.weight[f + 1]);
+  int count = 0;
+  for (int f = 0; f < op.num_inflow; ++f, ++count) {
+    weights.gram[count] = tables.facet_gram(op.inflow[f].facet);
+    inflow_weights<D>(op, op.inflow[f], weights.weight[count]);
   }
+  for (int f = 0; f < op.num_vertical; ++f, ++count) {
+    weights.gram[count] = tables.facet_gram(op.vertical[f].facet);
+    vertical_weights<D>(op.vertical[f], weights.weight[count]);
+  }
+  for (int f = 0; f < op.num_inclined; ++f, ++count) {
+    weights.gram[count] = tables.facet_gram(op.inclined[f].facet);
+    inclined_weights<D>(op.inclined[f], weights.weight[count]);
+  }
+  weights.num_facets = count;
 }
 
 /// Thin factors of one element in scratch: volume term D_t H and rigid modes.
@@ -138,6 +159,20 @@ inline double volume_weight(const ElementOperator<D>& op, int i, int j, int l, i
   return (l == k ? 1 : 2) * value;
 }
 
+/// sum over the facets with N_t < 0 of int |N_t| R_r . (phi_a e_i), R_r the rigid mode.
+template <int D>
+inline double rigid_moment(const ElementOperator<D>& op, const ReferenceTablesView& tables, int rigid, int i, int a) {
+  constexpr int d = D + 1;
+  double moment = 0;
+  for (int f = 0; f < op.num_rigid_facets; ++f) {
+    const double* value = tables.facet_value(op.rigid[f].facet) + a * d;
+    double sum = 0;
+    for (int m = 0; m < d; ++m) sum += op.rigid[f].modes[rigid][i][m] * value[m];
+    moment += op.rigid[f].root * sum;
+  }
+  return moment;
+}
+
 template <int D, class Lanes>
 inline void build_volume_factors(const ElementOperator<D>& op, const ReferenceTablesView& tables,
                                  const VolumeFactors& factors, const Lanes& lanes) {
@@ -150,13 +185,9 @@ inline void build_volume_factors(const ElementOperator<D>& op, const ReferenceTa
         sum += op.time_slope(l) * tables.volume_derivative[(l * num_basis + a) * tables.num_volume_modes + q];
       factors.time_derivative[a * num_modes + q] = sum;
     }
-    const double weight = sqrt(-op.inflow_covector[D]);
     for (int rigid = 0; rigid < op.num_rigid; ++rigid)
-      for (int i = 0; i < D; ++i) {
-        double sum = 0;
-        for (int m = 0; m < d; ++m) sum += op.rigid[rigid][i][m] * tables.inflow_value[a * d + m];
-        factors.rigid[(rigid * D + i) * stride + a] = weight * sum;
-      }
+      for (int i = 0; i < D; ++i)
+        factors.rigid[(rigid * D + i) * stride + a] = rigid_moment<D>(op, tables, rigid, i, a);
   }
   for (int component = lanes.first(); component < D * D; component += lanes.count()) {
     double weight[d * (d + 1) / 2];
@@ -249,7 +280,7 @@ inline void assemble_port(const VerticalFacet<D>& facet, const ReferenceTablesVi
                           double* matrix, const Lanes& lanes) {
   constexpr int d = D + 1;
   const int num_basis = tables.num_basis, num_modes = tables.num_facet_modes, facet_stride = tables.facet_stride;
-  const double* derivative = tables.vertical_derivative + static_cast<long>(facet.facet) * d * num_basis * facet_stride;
+  const double* derivative = tables.facet_derivative(facet.facet);
   const int first = shape.unknowns_padded + facet.port * shape.amplitudes_per_port;
   double incoming[D][D][d], outgoing[D][D][d];
   for (int c = 0; c < D; ++c) {
@@ -282,15 +313,55 @@ inline void assemble_port(const VerticalFacet<D>& facet, const ReferenceTablesVi
     }
 }
 
-/// Identity on the padded diagonal, zeros elsewhere in the padding and in the lower right block.
+/// Columns of P and rows of O^T of one inclined facet. Slots of a port: waves [c][m], then rigid modes; those that do
+/// not come in (go out) stay zero. P = wave_c(what) and the rigid moments, O = the waves and the moments of the
+/// displacement with the rigid modes of the side that receives them (`receiver`, its side of the facet).
+template <int D, class Lanes>
+inline void assemble_inclined_port(const ElementOperator<D>& op, const InclinedFacet<D>& facet,
+                                   const RigidFacet<D>* receiver, const ReferenceTablesView& tables,
+                                   const CondensedShape& shape, double* matrix, const Lanes& lanes) {
+  constexpr int d = D + 1;
+  const int num_basis = tables.num_basis, num_modes = tables.num_facet_modes, stride = tables.facet_stride;
+  const double *derivative = tables.facet_derivative(facet.facet), *value = tables.facet_value(facet.facet);
+  const int first = shape.unknowns_padded + facet.port * shape.amplitudes_per_port;
+  const auto row_of = [&](int slot) { return matrix + static_cast<long>(first + slot) * shape.stride; };
+  for (int a = lanes.first(); a < num_basis; a += lanes.count())
+    for (int i = 0; i < D; ++i) {
+      const int unknown = i * num_basis + a;
+      double* column = matrix + static_cast<long>(unknown) * shape.stride + first;
+      for (int c = 0; c < facet.num_waves; ++c)
+        for (int m = 0; m < num_modes; ++m) {
+          double in = 0, out = 0;
+          for (int l = 0; l < d; ++l) {
+            const double table = derivative[(l * num_basis + a) * stride + m];
+            in += facet.incoming[c][i][l] * table;
+            out += facet.outgoing[c][i][l] * table;
+          }
+          column[c * num_modes + m] = in;
+          row_of(c * num_modes + m)[unknown] = out;
+        }
+      for (int rigid = 0; rigid < op.num_rigid; ++rigid) {
+        const int slot = facet.num_waves * num_modes + rigid;
+        column[slot] = facet.rigid == none ? 0.0 : rigid_moment<D>(op, tables, rigid, i, a);
+        double out = 0;
+        for (int m = 0; receiver && m < d; ++m) out += receiver->modes[rigid][i][m] * value[a * d + m];
+        row_of(slot)[unknown] = receiver ? receiver->root * out : 0.0;
+      }
+    }
+}
+
+/// Identity on the padded diagonal, zeros elsewhere in the padding, in the lower right block and in the slots that a
+/// vertical facet of a general patch leaves unused.
 template <class Lanes>
 inline void clear_padding(const CondensedShape& shape, double* matrix, const Lanes& lanes) {
   const int n = shape.num_unknowns, padded = shape.unknowns_padded, ports_end = padded + shape.num_amplitudes;
   const auto clear = [](double* row, int first, int last) {
     for (int column = first; column < last; ++column) row[column] = 0;
   };
+  const bool has_spare_slots = shape.amplitudes_per_port > shape.vertical_amplitudes;
   for (int row = lanes.first(); row < shape.rows; row += lanes.count()) {
     double* entries = matrix + static_cast<long>(row) * shape.stride;
+    if (has_spare_slots) clear(entries, row < n ? n : 0, ports_end);
     if (row < n) {
       clear(entries, n, padded);
       clear(entries, ports_end, shape.stride);
@@ -302,12 +373,14 @@ inline void clear_padding(const CondensedShape& shape, double* matrix, const Lan
   }
 }
 
-/// The whole condensed matrix of one element (kernels/condensed_element.hpp).
+/// The whole condensed matrix of one element (kernels/condensed_element.hpp). receivers [inclined facet]: the rigid
+/// modes of the neighbour's side, or nullptr where it takes none.
 /// Flops: 2 n^2 (pairs (1 + vertical facets) + num_curvature_modes + num_rigid) for A, flat in k but for the volume
 /// term.
 template <int D, class Lanes>
 inline void assemble_element(const ElementOperator<D>& op, const ReferenceTablesView& tables,
-                             const CondensedShape& shape, double* factor_scratch, double* matrix, const Lanes& lanes) {
+                             const CondensedShape& shape, const RigidFacet<D>* const* receivers, double* factor_scratch,
+                             double* matrix, const Lanes& lanes) {
   FacetWeights<D> weights;
   build_facet_weights<D>(op, tables, weights);
   const VolumeFactors factors = VolumeFactors::at(factor_scratch, tables);
@@ -317,6 +390,8 @@ inline void assemble_element(const ElementOperator<D>& op, const ReferenceTables
   assemble_own_matrix<D>(weights, factors, tables, matrix, shape.stride, lanes);
   for (int f = 0; f < op.num_vertical; ++f)
     if (op.vertical[f].port != none) assemble_port<D>(op.vertical[f], tables, shape, matrix, lanes);
+  for (int f = 0; f < op.num_inclined; ++f)
+    assemble_inclined_port<D>(op, op.inclined[f], receivers[f], tables, shape, matrix, lanes);
   lanes.synchronize();
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/status.hpp"
+#include "kernels/inclined_facet.hpp"
 #include "kernels/patch_batch.hpp"
 #include "kernels/reference_tables.hpp"
 
@@ -19,6 +20,7 @@ struct VerticalFacet {
   BoundaryKind kind[D];        ///< of each component, boundary facets only
   std::int32_t boundary_data;  ///< offset into prescribed, or none
   double measure;              ///< |F|, area times duration [scaled]
+  double sign;                 ///< the own outward normal is sign e_0
   double frame[D][D];          ///< [c][i]: components of e_c
   double impedance[D];         ///< Z_c = rho c_p, rho c_s of this side
   double outer_impedance[D];   ///< of the neighbour
@@ -26,20 +28,37 @@ struct VerticalFacet {
   double traction[D][D][D + 1];
 };
 
+/// A facet of the old or the new front. The rigid modes carry the zero-energy part of the weak form (below).
+template <int D>
+struct FrontFacet {
+  int facet;
+  double covector[D + 1];  ///< N dA, outward: N_t < 0 below, N_t > 0 above the element
+};
+
+/// The part of the rigid modes that lives on one facet with N_t < 0. The translations and infinitesimal rotations of an
+/// element are orthonormal in the sum over these facets of |N_t| times the mean product; mode [r] on the facet is
+/// modes[r][i][m] chi_m / root, root = sqrt(|N_t|).
+template <int D>
+struct RigidFacet {
+  static constexpr int num_rigid = D + D * (D - 1) / 2;
+  int facet;
+  double root;
+  double modes[num_rigid][D][D + 1];
+};
+
 /// One element's geometry and material, contracted so that all later loops are small factors times reference tables.
 template <int D>
 struct ElementOperator {
-  static constexpr int d = D + 1;
-  static constexpr int num_rigid = D + D * (D - 1) / 2;
+  static constexpr int d = D + 1, num_rigid = RigidFacet<D>::num_rigid;
   double density, lambda, mu;
   double determinant;             ///< |det J|
   double inverse_jacobian[d][d];  ///< [l][j] = d xi_l / d x_j, j = D is time
-  double inflow_covector[d];      ///< N dA of the inflow facet, outward: N_t < 0
-  double outflow_covector[d];     ///< N dA of the outflow facet, outward: N_t > 0
-  double rigid[num_rigid][D][d];  ///< orthonormal rigid modes of the inflow facet in its chi modes
-  int num_vertical;
-  int num_ports;
-  VerticalFacet<D> vertical[D];
+  int num_inflow, num_outflow, num_rigid_facets, num_vertical, num_inclined, num_ports;
+  FrontFacet<D> inflow[d + 1];
+  FrontFacet<D> outflow[d + 1];
+  RigidFacet<D> rigid[d + 1];  ///< inflow facets first, in their order, then inclined facets with N_t < 0
+  VerticalFacet<D> vertical[d];
+  InclinedFacet<D> inclined[InclinedFacet<D>::max_per_element];
 
   double time_slope(int l) const { return inverse_jacobian[l][D]; }
 };
@@ -105,11 +124,13 @@ inline void facet_covector(const ElementOperator<D>& op, int corner, double (&co
   for (int j = 0; j <= D; ++j) covector[j] *= -op.determinant * inverse_factorial;
 }
 
-/// Frame of a vertical facet from the spatial parts of its front corners in ascending order: identical on both sides.
+/// Frame of a vertical facet from the spatial parts of its first D corners in the listed order, identical on both
+/// sides. In a tent element these are the corners on the front; a vertical facet of a general element is on the
+/// boundary or has no second side that could disagree.
 template <int D>
 inline void facet_frame(const ElementDescriptor& element, int facet, double (&frame)[D][D]) {
   int corners[D];
-  for (int corner = 0, count = 0; corner <= D; ++corner)
+  for (int corner = 0, count = 0; count < D; ++corner)
     if (corner != facet) corners[count++] = corner;
   if constexpr (D == 1) {
     frame[0][0] = 1;
@@ -163,41 +184,67 @@ inline void facet_coefficients(const ElementOperator<D>& op, double sign, Vertic
   }
 }
 
-/// Orthonormal rigid modes on the inflow facet (Euclidean in its chi modes): translations, then rotations about the
-/// centroid, by modified Gram-Schmidt. They carry the zero-energy part of the weak form.
+/// Rigid modes of one element over all its facets with N_t < 0: translations, then rotations, by modified Gram-Schmidt
+/// in the concatenated chi modes of the facets. The position of a facet point in chi modes follows from its corners.
 template <int D>
-inline void rigid_modes(const ElementDescriptor& element, const ReferenceTablesView& tables, ElementOperator<D>& op) {
-  constexpr int d = D + 1;
-  double position[D][d] = {};  // coordinates in chi modes, the mean (mode 0) removed
-  for (int i = 0; i < D; ++i)
-    for (int m = 1; m < d; ++m)
-      for (int corner = 0; corner <= D; ++corner)
-        position[i][m] += element.corner[corner][i] * tables.corner_modes[corner * d + m];
-  for (int rigid = 0; rigid < op.num_rigid; ++rigid)
-    for (int i = 0; i < D; ++i)
-      for (int m = 0; m < d; ++m) op.rigid[rigid][i][m] = rigid == i && m == 0;
-  int rotation = D;
-  for (int i = 0; i < D; ++i)
-    for (int j = i + 1; j < D; ++j, ++rotation)
-      for (int m = 1; m < d; ++m) {
-        op.rigid[rotation][i][m] = -position[j][m];
-        op.rigid[rotation][j][m] = position[i][m];
-      }
-  for (int rigid = D; rigid < op.num_rigid; ++rigid) {
-    for (int other = D; other < rigid; ++other) {
-      double product = 0;
-      for (int i = 0; i < D; ++i)
-        for (int m = 1; m < d; ++m) product += op.rigid[rigid][i][m] * op.rigid[other][i][m];
-      for (int i = 0; i < D; ++i)
-        for (int m = 1; m < d; ++m) op.rigid[rigid][i][m] -= product * op.rigid[other][i][m];
+inline void build_rigid_modes(const ElementDescriptor& element, const ReferenceTablesView& tables,
+                              ElementOperator<D>& op) {
+  constexpr int d = D + 1, num_rigid = ElementOperator<D>::num_rigid;
+  op.num_rigid_facets = 0;
+  const auto add = [&](int facet, double time_part) {
+    RigidFacet<D>& rigid = op.rigid[op.num_rigid_facets++];
+    rigid.facet = facet;
+    rigid.root = sqrt(-time_part);
+  };
+  for (int f = 0; f < op.num_inflow; ++f) add(op.inflow[f].facet, op.inflow[f].covector[D]);
+  for (int f = 0; f < op.num_inclined; ++f)
+    if (op.inclined[f].time_part < 0) {
+      op.inclined[f].rigid = op.num_rigid_facets;
+      add(op.inclined[f].facet, op.inclined[f].time_part);
     }
-    double square = 0;
+  for (int f = 0; f < op.num_rigid_facets; ++f) {
+    RigidFacet<D>& rigid = op.rigid[f];
+    double position[D][d] = {};
+    for (int corner = 0, listed = 0; corner <= d; ++corner) {
+      if (corner == rigid.facet) continue;
+      for (int i = 0; i < D; ++i)
+        for (int m = 0; m < d; ++m)
+          position[i][m] += (element.corner[corner][i] - element.corner[0][i]) * tables.corner_modes[listed * d + m];
+      ++listed;
+    }
+    for (int r = 0; r < D; ++r)
+      for (int i = 0; i < D; ++i)
+        for (int m = 0; m < d; ++m) rigid.modes[r][i][m] = r == i && m == 0 ? rigid.root : 0.0;
+    int rotation = D;
     for (int i = 0; i < D; ++i)
-      for (int m = 1; m < d; ++m) square += op.rigid[rigid][i][m] * op.rigid[rigid][i][m];
-    const double scale = 1 / sqrt(square);
-    for (int i = 0; i < D; ++i)
-      for (int m = 1; m < d; ++m) op.rigid[rigid][i][m] *= scale;
+      for (int j = i + 1; j < D; ++j, ++rotation)
+        for (int m = 0; m < d; ++m) {
+          for (int p = 0; p < D; ++p) rigid.modes[rotation][p][m] = 0;
+          rigid.modes[rotation][i][m] = -rigid.root * position[j][m];
+          rigid.modes[rotation][j][m] = rigid.root * position[i][m];
+        }
   }
+  const auto product = [&](int r, int s) {
+    double sum = 0;
+    for (int f = 0; f < op.num_rigid_facets; ++f)
+      for (int i = 0; i < D; ++i)
+        for (int m = 0; m < d; ++m) sum += op.rigid[f].modes[r][i][m] * op.rigid[f].modes[s][i][m];
+    return sum;
+  };
+  // The second pass removes what rounding left: rotations about a far corner are nearly translations.
+  for (int r = 0; r < num_rigid; ++r)
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int s = 0; s < r; ++s) {
+        const double overlap = product(r, s);
+        for (int f = 0; f < op.num_rigid_facets; ++f)
+          for (int i = 0; i < D; ++i)
+            for (int m = 0; m < d; ++m) op.rigid[f].modes[r][i][m] -= overlap * op.rigid[f].modes[s][i][m];
+      }
+      const double scale = 1 / sqrt(product(r, r));
+      for (int f = 0; f < op.num_rigid_facets; ++f)
+        for (int i = 0; i < D; ++i)
+          for (int m = 0; m < d; ++m) op.rigid[f].modes[r][i][m] *= scale;
+    }
 }
 
 template <int D>
@@ -211,19 +258,62 @@ inline void build_vertical_facet(const PatchBatch& batch, const ElementDescripto
   for (int i = 0; i < D; ++i) along_normal += covector[i] * vertical.frame[0][i];
   vertical.measure = fabs(along_normal);
   impedances<D>(batch.materials[element.material], vertical.impedance);
-  facet_coefficients<D>(op, along_normal > 0 ? 1.0 : -1.0, vertical);
-  if (element.neighbor[facet] == none) {
+  vertical.sign = along_normal > 0 ? 1.0 : -1.0;
+  facet_coefficients<D>(op, vertical.sign, vertical);
+  if (element.facet_kind[facet] == FacetKind::boundary) {
     vertical.port = none;
-    vertical.boundary_data = element.boundary_data[facet];
+    vertical.boundary_data = element.facet_data[facet];
     for (int c = 0; c < D; ++c) vertical.kind[c] = c == 0 ? element.normal_kind[facet] : element.tangential_kind[facet];
-  } else {
-    vertical.port = op.num_ports++;
-    const ElementDescriptor& neighbor = batch.elements[element.neighbor[facet]];
-    impedances<D>(batch.materials[neighbor.material], vertical.outer_impedance);
+    return;
+  }
+  vertical.port = op.num_ports++;
+  // A side of a fracture facet takes its incoming wave as if its own material went on: then the own block does not
+  // depend on damage (kernels/fracture_facet.hpp).
+  const bool fracture = element.facet_kind[facet] == FacetKind::fracture;
+  const ElementDescriptor& neighbor = batch.elements[element.neighbor[facet]];
+  impedances<D>(batch.materials[fracture ? element.material : neighbor.material], vertical.outer_impedance);
+}
+
+/// Adds a facet of the front; not_causal if it is steeper than 1 / c_p.
+template <int D>
+inline Status add_front_facet(const ElementOperator<D>& op, double speed, int facet, FrontFacet<D>& front) {
+  front.facet = facet;
+  facet_covector<D>(op, facet, front.covector);
+  double space = 0;
+  for (int i = 0; i < D; ++i) space += front.covector[i] * front.covector[i];
+  return fabs(front.covector[D]) > speed * sqrt(space) ? Status::ok : Status::not_causal;
+}
+
+/// Whether a facet inside a patch counts as parallel to the time axis.
+template <int D>
+inline bool is_vertical(const double (&covector)[D + 1]) {
+  constexpr double tolerance = 1e-13;
+  double square = 0;
+  for (int j = 0; j <= D; ++j) square += covector[j] * covector[j];
+  return fabs(covector[D]) <= tolerance * sqrt(square);
+}
+
+/// Adds a facet inside the patch or on the boundary of the domain.
+template <int D>
+inline void add_inner_facet(const PatchBatch& batch, const ElementDescriptor& element, int facet,
+                            ElementOperator<D>& op) {
+  double covector[D + 1];
+  facet_covector<D>(op, facet, covector);
+  if (element.facet_kind[facet] != FacetKind::interior || is_vertical<D>(covector)) {
+    build_vertical_facet<D>(batch, element, facet, op);
+    return;
+  }
+  if constexpr (D < 3) {
+    InclinedFacet<D>& inclined = op.inclined[op.num_inclined++];
+    inclined.facet = facet;
+    inclined.port = op.num_ports++;
+    inclined.rigid = none;
+    build_inclined_facet<D>(batch.materials[element.material], op.inverse_jacobian, covector, inclined);
   }
 }
 
-/// Builds the operator of one element. Status: inverted_element, not_causal (inflow facet steeper than 1 / c_p).
+/// Builds the operator of one element. Status: inverted_element, not_causal (an inflow or outflow facet steeper than 1
+/// / c_p).
 template <int D>
 inline Status build_element_operator(const PatchBatch& batch, const ReferenceTablesView& tables,
                                      const ElementDescriptor& element, ElementOperator<D>& op) {
@@ -235,16 +325,23 @@ inline Status build_element_operator(const PatchBatch& batch, const ReferenceTab
     for (int j = 0; j < d; ++j) jacobian[j][l] = element.corner[l + 1][j] - element.corner[0][j];
   op.determinant = invert<d>(jacobian, op.inverse_jacobian);
   if (!(op.determinant > 0)) return Status::inverted_element;
-  facet_covector<D>(op, D + 1, op.inflow_covector);
-  facet_covector<D>(op, element.pole, op.outflow_covector);
-  double space = 0;
-  for (int i = 0; i < D; ++i) space += op.inflow_covector[i] * op.inflow_covector[i];
+  op.num_inflow = op.num_outflow = op.num_vertical = op.num_inclined = op.num_ports = 0;
   const double speed = material.dilatational_speed();
-  if (!(-op.inflow_covector[D] > speed * sqrt(space))) return Status::not_causal;
-  rigid_modes<D>(element, tables, op);
-  op.num_vertical = op.num_ports = 0;
-  for (int facet = 0; facet <= D; ++facet)
-    if (facet != element.pole) build_vertical_facet<D>(batch, element, facet, op);
+  for (int facet = 0; facet <= d; ++facet) {
+    Status status = Status::ok;
+    switch (element.facet_kind[facet]) {
+      case FacetKind::inflow:
+        status = add_front_facet<D>(op, speed, facet, op.inflow[op.num_inflow++]);
+        break;
+      case FacetKind::outflow:
+        status = add_front_facet<D>(op, speed, facet, op.outflow[op.num_outflow++]);
+        break;
+      default:
+        add_inner_facet<D>(batch, element, facet, op);
+    }
+    if (status != Status::ok) return status;
+  }
+  build_rigid_modes<D>(element, tables, op);
   return Status::ok;
 }
 

@@ -93,12 +93,12 @@ inline double facet_energy(const ElementOperator<D>& op, const double* covector,
   return energy;
 }
 
-/// Flux of -A_N j, j the jump (external - internal) of (v, E) on the inflow facet: flux[l][i][m].
+/// Flux of -A_N j, j the jump (external - internal) of (v, E) on an inflow facet: flux[l][i][m].
 template <int D, class Lanes>
-inline void inflow_flux(const ElementOperator<D>& op, const double* jump, int stride, double* flux,
-                        const Lanes& lanes) {
+inline void inflow_flux(const ElementOperator<D>& op, const FrontFacet<D>& facet, const double* jump, int stride,
+                        double* flux, const Lanes& lanes) {
   constexpr int d = D + 1;
-  const double* normal = op.inflow_covector;
+  const double* normal = facet.covector;
   const double minus_time = -normal[D];
   for (int m = lanes.first(); m < stride; m += lanes.count()) {
     double sigma[D][D], traction[D], velocity[D], velocity_normal = 0;
@@ -215,15 +215,16 @@ inline void volume_residual(const ElementOperator<D>& op, const ReferenceTablesV
   lanes.synchronize();
 }
 
-/// residual += inflow part: -A_N (w_ext - w) and the rigid-mode part. `data`: velocity, strain modes then displacement
-/// [D][D + 1] (layout of an initial data block, stride num_facet_modes).
+/// residual += -A_N (w_ext - w) over one inflow facet. `data`: velocity, strain modes then displacement [D][D + 1]
+/// (layout of an initial data block, stride num_facet_modes).
 template <int D, class Lanes>
-inline void inflow_residual(const ElementOperator<D>& op, const ReferenceTablesView& tables, const double* coefficients,
-                            const double* data, const ResidualScratch& scratch, double* residual,
-                            ElementBalance& balance, const Lanes& lanes) {
-  constexpr int d = D + 1, num_fields = D + num_symmetric(D);
-  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes, num_basis = tables.num_basis;
-  gradient_modes<D>(tables, tables.inflow_derivative, coefficients, scratch.gradient, lanes);
+inline void inflow_residual(const ElementOperator<D>& op, const FrontFacet<D>& facet, const ReferenceTablesView& tables,
+                            const double* coefficients, const double* data, const ResidualScratch& scratch,
+                            double* residual, ElementBalance& balance, const Lanes& lanes) {
+  constexpr int num_fields = D + num_symmetric(D);
+  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
+  const double* derivative = tables.facet_derivative(facet.facet);
+  gradient_modes<D>(tables, derivative, coefficients, scratch.gradient, lanes);
   lanes.synchronize();
   velocity_and_strain<D>(&op.inverse_jacobian[0][0], scratch.gradient, stride, scratch.trace, lanes);
   lanes.synchronize();
@@ -232,34 +233,92 @@ inline void inflow_residual(const ElementOperator<D>& op, const ReferenceTablesV
     scratch.trace[entry] = (m < num_modes ? data[field * num_modes + m] : 0) - scratch.trace[entry];
   }
   lanes.synchronize();
-  balance.dissipation += -facet_energy<D>(op, op.inflow_covector, scratch.trace, stride, num_modes);
-  inflow_flux<D>(op, scratch.trace, stride, scratch.flux, lanes);
+  balance.dissipation += -facet_energy<D>(op, facet.covector, scratch.trace, stride, num_modes);
+  inflow_flux<D>(op, facet, scratch.trace, stride, scratch.flux, lanes);
   lanes.synchronize();
-  test_facet<D>(tables, tables.inflow_derivative, scratch.flux, residual, lanes);
+  test_facet<D>(tables, derivative, scratch.flux, residual, lanes);
+  lanes.synchronize();
+}
 
-  const double weight = -op.inflow_covector[D];
-  const double* displacement = data + num_fields * num_modes;
-  double jump[D][d];
+/// int_f |N_t| R_r . u over one facet with N_t < 0, with the displacement modes [D][D + 1] of u there.
+template <int D>
+inline double rigid_amount(const RigidFacet<D>& rigid, int r, const double* displacement) {
+  double amount = 0;
   for (int i = 0; i < D; ++i)
-    for (int m = 0; m < d; ++m) {
-      double inner = 0;
-      for (int a = 0; coefficients && a < num_basis; ++a)
-        inner += coefficients[i * num_basis + a] * tables.inflow_value[a * d + m];
-      jump[i][m] = displacement[i * d + m] - inner;
+    for (int m = 0; m <= D; ++m) amount += rigid.modes[r][i][m] * displacement[i * (D + 1) + m];
+  return rigid.root * amount;
+}
+
+/// Displacement modes [D][D + 1] of the coefficients on the facet with this code.
+template <int D>
+inline void displacement_modes(const ReferenceTablesView& tables, int code, const double* coefficients,
+                               double* displacement) {
+  const double* value = tables.facet_value(code);
+  for (int i = 0; i < D; ++i)
+    for (int m = 0; m <= D; ++m) {
+      double sum = 0;
+      for (int a = 0; a < tables.num_basis; ++a) sum += coefficients[i * tables.num_basis + a] * value[a * (D + 1) + m];
+      displacement[i * (D + 1) + m] = sum;
     }
-  double amount[ElementOperator<D>::num_rigid];
-  for (int rigid = 0; rigid < op.num_rigid; ++rigid) {
-    amount[rigid] = 0;
-    for (int i = 0; i < D; ++i)
-      for (int m = 0; m < d; ++m) amount[rigid] += weight * op.rigid[rigid][i][m] * jump[i][m];
+}
+
+/// residual += kappa int uhat_0 . (u_ext - u) |N_t| over all facets with N_t < 0: what comes from below or, as
+/// amplitudes, through inclined facets, minus the own rigid motion.
+template <int D, class Lanes>
+inline void rigid_residual(const ElementOperator<D>& op, const ReferenceTablesView& tables, const CondensedShape& shape,
+                           const double* coefficients, const double* incoming, const double* inflow_data,
+                           double* residual, const Lanes& lanes) {
+  constexpr int d = D + 1, num_fields = D + num_symmetric(D), num_rigid = ElementOperator<D>::num_rigid;
+  const int num_modes = tables.num_facet_modes, data_size = num_fields * num_modes + D * d;
+  double amount[num_rigid] = {};
+  for (int f = 0; f < op.num_rigid_facets && coefficients; ++f) {
+    double displacement[D * d];
+    displacement_modes<D>(tables, op.rigid[f].facet, coefficients, displacement);
+    for (int r = 0; r < num_rigid; ++r) amount[r] -= rigid_amount<D>(op.rigid[f], r, displacement);
   }
-  for (int a = lanes.first(); a < num_basis; a += lanes.count())
+  for (int f = 0; f < op.num_inflow; ++f)
+    for (int r = 0; r < num_rigid; ++r)
+      amount[r] += rigid_amount<D>(op.rigid[f], r, inflow_data + f * data_size + num_fields * num_modes);
+  for (int f = 0; f < op.num_inclined && incoming; ++f)
+    if (op.inclined[f].rigid != none) {
+      const double* slots = incoming + op.inclined[f].port * shape.amplitudes_per_port;
+      for (int r = 0; r < num_rigid; ++r) amount[r] += slots[op.inclined[f].num_waves * num_modes + r];
+    }
+  for (int a = lanes.first(); a < tables.num_basis; a += lanes.count())
     for (int i = 0; i < D; ++i) {
       double sum = 0;
-      for (int rigid = 0; rigid < op.num_rigid; ++rigid)
-        for (int m = 0; m < d; ++m) sum += amount[rigid] * op.rigid[rigid][i][m] * tables.inflow_value[a * d + m];
-      residual[i * num_basis + a] += sum;
+      for (int r = 0; r < num_rigid; ++r) sum += amount[r] * rigid_moment<D>(op, tables, r, i, a);
+      residual[i * tables.num_basis + a] += sum;
     }
+  lanes.synchronize();
+}
+
+/// residual += sum over incoming waves of wave(what) (amplitude - wave(w)) over one inclined facet.
+template <int D, class Lanes>
+inline void inclined_residual(const InclinedFacet<D>& facet, const ReferenceTablesView& tables,
+                              const double* coefficients, const double* incoming, const ResidualScratch& scratch,
+                              double* residual, ElementBalance& balance, const Lanes& lanes) {
+  constexpr int d = D + 1;
+  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
+  const double* derivative = tables.facet_derivative(facet.facet);
+  gradient_modes<D>(tables, derivative, coefficients, scratch.gradient, lanes);
+  lanes.synchronize();
+  for (int m = lanes.first(); m < stride; m += lanes.count()) {
+    for (int entry = 0; entry < d * D; ++entry) scratch.flux[entry * stride + m] = 0;
+    for (int c = 0; c < facet.num_waves && m < num_modes; ++c) {
+      double jump = incoming ? incoming[c * num_modes + m] : 0;
+      for (int i = 0; i < D; ++i)
+        for (int l = 0; l < d; ++l) jump -= facet.incoming[c][i][l] * scratch.gradient[(i * d + l) * stride + m];
+      for (int i = 0; i < D; ++i)
+        for (int l = 0; l < d; ++l) scratch.flux[(l * D + i) * stride + m] += facet.incoming[c][i][l] * jump;
+      scratch.trace[c * stride + m] = jump;
+    }
+  }
+  lanes.synchronize();
+  for (int c = 0; c < facet.num_waves; ++c)
+    for (int m = 0; m < num_modes; ++m)
+      balance.dissipation += 0.5 * scratch.trace[c * stride + m] * scratch.trace[c * stride + m];
+  test_facet<D>(tables, derivative, scratch.flux, residual, lanes);
   lanes.synchronize();
 }
 
@@ -271,8 +330,7 @@ inline void vertical_residual(const VerticalFacet<D>& facet, const ReferenceTabl
                               const Lanes& lanes) {
   constexpr int d = D + 1;
   const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
-  const double* derivative =
-      tables.vertical_derivative + static_cast<long>(facet.facet) * d * tables.num_basis * stride;
+  const double* derivative = tables.facet_derivative(facet.facet);
   gradient_modes<D>(tables, derivative, coefficients, scratch.gradient, lanes);
   lanes.synchronize();
   for (int m = lanes.first(); m < stride; m += lanes.count()) {
@@ -309,7 +367,8 @@ inline void vertical_residual(const VerticalFacet<D>& facet, const ReferenceTabl
 }
 
 /// residual = b + P x - A c of one element, matrix-free from the weak form, with its dissipation and boundary work.
-/// Without coefficients and incoming amplitudes (nullptr) it is the right-hand side b. All lanes get the same balance.
+/// Without coefficients and incoming amplitudes (nullptr) it is the right-hand side b. inflow_data: one block per
+/// inflow facet of the operator. All lanes get the same balance.
 template <int D, class Lanes>
 inline ElementBalance element_residual(const ElementOperator<D>& op, const ReferenceTablesView& tables,
                                        const CondensedShape& shape, const double* coefficients, const double* incoming,
@@ -320,7 +379,15 @@ inline ElementBalance element_residual(const ElementOperator<D>& op, const Refer
   for (int unknown = lanes.first(); unknown < shape.unknowns_padded; unknown += lanes.count()) residual[unknown] = 0;
   lanes.synchronize();
   volume_residual<D>(op, tables, coefficients, body_force, scratch, residual, lanes);
-  inflow_residual<D>(op, tables, coefficients, inflow_data, scratch, residual, balance, lanes);
+  const int data_size = (D + num_symmetric(D)) * tables.num_facet_modes + D * (D + 1);
+  for (int f = 0; f < op.num_inflow; ++f)
+    inflow_residual<D>(op, op.inflow[f], tables, coefficients, inflow_data + f * data_size, scratch, residual, balance,
+                       lanes);
+  rigid_residual<D>(op, tables, shape, coefficients, incoming, inflow_data, residual, lanes);
+  for (int f = 0; f < op.num_inclined; ++f)
+    inclined_residual<D>(op.inclined[f], tables, coefficients,
+                         incoming ? incoming + op.inclined[f].port * shape.amplitudes_per_port : nullptr, scratch,
+                         residual, balance, lanes);
   for (int f = 0; f < op.num_vertical; ++f) {
     const double* amplitudes =
         incoming && op.vertical[f].port != none ? incoming + op.vertical[f].port * shape.amplitudes_per_port : nullptr;

@@ -79,7 +79,7 @@ class ElementTerms {
 
   void add_inflow(double kappa) {
     const Vector covector = facet_covector(geometry_, D_, D_ + 1);
-    const std::vector<int> corners = front_corners(D_, D_ + 1);
+    const std::vector<int> corners = facet_corners(D_, D_ + 1);
     const std::vector<Rows> rigid = rigid_modes(disc_, element_);
     Rows moments(rigid.size(), Row(disc_.num_unknowns, 0.0));  // of the rigid modes with the displacement
     Row moments_below(rigid.size(), 0.0);
@@ -106,7 +106,7 @@ class ElementTerms {
     for (int facet = 0; facet <= D_; ++facet) {
       if (facet == element_.pole) continue;
       const Vector covector = facet_covector(geometry_, D_, facet);
-      const std::vector<int> corners = vertical_corners(D_, facet);
+      const std::vector<int> corners = facet_corners(D_, facet);
       double area = 0;
       for (int j = 0; j < D_; ++j) area += covector[j] * covector[j];
       area = std::sqrt(area);
@@ -115,7 +115,7 @@ class ElementTerms {
         const Row barycentric = facet_barycentric(disc_, q);
         const PointState own = point_state(disc_, geometry_.inverse, material_, element_point(barycentric, corners));
         const double weight = area * disc_.facet_rule.weights[q];
-        if (element_.neighbor[facet] == none)
+        if (element_.facet_kind[facet] == FacetKind::boundary)
           add_boundary(weight, facet, frame, own, barycentric);
         else
           add_interior(weight, facet, frame, own, barycentric);
@@ -167,10 +167,10 @@ class ElementTerms {
       const Row velocity = component(own.velocity, frame[c]), traction = component_of_traction(own, frame, c);
       const Row test = sum(1, velocity, 1 / impedance, traction);
       double prescribed = 0;
-      if (element_.boundary_data[facet] != none)
+      if (element_.facet_data[facet] != none)
         for (int i = 0; i < D_; ++i)
           prescribed += frame[c][i] * facet_mode_sum(disc_.facet_basis, barycentric,
-                                                     batch_.prescribed + element_.boundary_data[facet], i);
+                                                     batch_.prescribed + element_.facet_data[facet], i);
       switch (kind) {
         case BoundaryKind::velocity:
           add_matrix(weight * impedance, test, velocity, offset_);
@@ -194,9 +194,8 @@ class ElementTerms {
     const int neighbor = element_.neighbor[facet];
     const ElementDescriptor& other_element = batch_.elements[neighbor];
     const Material& other_material = batch_.materials[other_element.material];
-    const PointState other =
-        point_state(disc_, element_geometry(other_element, D_).inverse, other_material,
-                    element_point(barycentric, vertical_corners(D_, element_.neighbor_facet[facet])));
+    const PointState other = point_state(disc_, element_geometry(other_element, D_).inverse, other_material,
+                                         element_point(barycentric, facet_corners(D_, element_.neighbor_facet[facet])));
     for (int c = 0; c < D_; ++c) {
       const double own_impedance = impedance_of(material_, c), other_impedance = impedance_of(other_material, c);
       const Row own_velocity = component(own.velocity, frame[c]), own_traction = component_of_traction(own, frame, c);

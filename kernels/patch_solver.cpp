@@ -59,15 +59,22 @@ void run_on_gpu(const PatchSolverTask task, int device_number) {
 
 }  // namespace
 
-long patch_scratch_size(const ReferenceTablesView& tables, int max_elements, int lanes) {
+long patch_scratch_size(const ReferenceTablesView& tables, const PatchDescriptor& patch, int lanes) {
+  double start = 0;
   switch (tables.dimension) {
     case 1:
-      return PatchWorkspace<1>::size(tables, max_elements, lanes);
+      return PatchWorkspace<1>{tables, patch, lanes, &start}.size();
     case 2:
-      return PatchWorkspace<2>::size(tables, max_elements, lanes);
+      return PatchWorkspace<2>{tables, patch, lanes, &start}.size();
     default:
-      return PatchWorkspace<3>::size(tables, max_elements, lanes);
+      return PatchWorkspace<3>{tables, patch, lanes, &start}.size();
   }
+}
+
+long patch_scratch_size(const ReferenceTablesView& tables, std::span<const PatchDescriptor> patches, int lanes) {
+  long largest = 0;
+  for (const PatchDescriptor& patch : patches) largest = std::max(largest, patch_scratch_size(tables, patch, lanes));
+  return largest;
 }
 
 void solve_patches_host(const PatchSolverTask& task) {
@@ -99,10 +106,8 @@ void solve_patches_device([[maybe_unused]] const PatchSolverTask& task, [[maybe_
 }
 
 void evaluate_patches_host(const PatchBatch& batch, const ReferenceTablesView& tables) {
-  int largest = 0;
-  for (int patch = 0; patch < batch.num_patches; ++patch)
-    largest = std::max(largest, int(batch.patches[patch].num_elements));
-  std::vector<double> scratch(patch_scratch_size(tables, largest, 1));
+  const std::span<const PatchDescriptor> patches(batch.patches, batch.num_patches);
+  std::vector<double> scratch(patch_scratch_size(tables, patches, 1));
   for (int patch = 0; patch < batch.num_patches; ++patch) switch (tables.dimension) {
       case 1:
         check_patch<1>(batch, tables, patch, scratch.data(), SerialLane{});

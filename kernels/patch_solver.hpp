@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "kernels/cycle_counter.hpp"
 #include "kernels/patch_batch.hpp"
 #include "kernels/reference_tables.hpp"
@@ -18,13 +20,14 @@ struct PatchSolverTask {
   PatchBatch batch;
   ReferenceTablesView tables;
   double* scratch;      ///< workers * scratch_stride doubles
-  long scratch_stride;  ///< >= patch_scratch_size of the largest patch of the batch
+  long scratch_stride;  ///< >= the largest patch_scratch_size of the batch
   StageCycles* cycles;  ///< [workers], added to
   PatchSolverShape shape;
 };
 
-/// Doubles of scratch one worker needs for patches of at most `max_elements` elements.
-long patch_scratch_size(const ReferenceTablesView& tables, int max_elements, int lanes);
+/// Doubles of scratch one worker needs for this patch, or for any of these.
+long patch_scratch_size(const ReferenceTablesView& tables, const PatchDescriptor& patch, int lanes);
+long patch_scratch_size(const ReferenceTablesView& tables, std::span<const PatchDescriptor> patches, int lanes);
 
 /// Solves all patches of the batch by trace condensation (kernels/solve_patch.hpp). The result of a patch does not
 /// depend on the number of workers nor on the other patches. Status and residual of each element are in its record.

@@ -15,7 +15,7 @@ double dot(const Row& a, const double* b) {
 PointState initial_state(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element,
                          const Row& barycentric) {
   const int D = disc.dimension;
-  const double* velocity = batch.prescribed + element.inflow_data;
+  const double* velocity = batch.prescribed + element.facet_data[D + 1];
   const double* strain = velocity + D * disc.facet_basis.size();
   const double* displacement = strain + num_symmetric(D) * disc.facet_basis.size();
   PointState state;
@@ -32,11 +32,11 @@ PointState initial_state(const Discretization& disc, const PatchBatch& batch, co
 PointState source_state(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element,
                         const Row& barycentric) {
   const int d = disc.dimension + 1;
-  const std::size_t slot = element.source_slot;
+  const std::size_t slot = element.source_slot[d];
   Matrix inverse{};
   for (int l = 0; l < d; ++l)
     for (int j = 0; j < d; ++j) inverse[l][j] = batch.inverse_jacobians[(slot * d + l) * d + j];
-  const Row xi = element_point(barycentric, front_corners(disc.dimension, element.source_pole));
+  const Row xi = element_point(barycentric, facet_corners(disc.dimension, element.source_facet[d]));
   return evaluate(point_state(disc, inverse, batch.materials[element.material], xi),
                   batch.coefficients + slot * disc.num_unknowns);
 }
@@ -105,16 +105,14 @@ Vector facet_covector(const Geometry& geometry, int dimension, int corner) {
   return covector;
 }
 
-std::vector<int> front_corners(int dimension, int pole) {
+std::vector<int> facet_corners(int dimension, int table) {
   std::vector<int> corners;
-  for (int c = 0; c <= dimension; ++c) corners.push_back(c == pole ? dimension + 1 : c);
-  return corners;
-}
-
-std::vector<int> vertical_corners(int dimension, int opposite) {
-  std::vector<int> corners;
-  for (int c = 0; c <= dimension + 1; ++c)
-    if (c != opposite) corners.push_back(c);
+  if (table > dimension + 1) {
+    for (int c = 0; c <= dimension; ++c) corners.push_back(c == table - dimension - 2 ? dimension + 1 : c);
+  } else {
+    for (int c = 0; c <= dimension + 1; ++c)
+      if (c != table) corners.push_back(c);
+  }
   return corners;
 }
 
@@ -211,8 +209,8 @@ PointState evaluate(const PointState& state, const double* coefficients) {
 
 PointState state_below(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element,
                        const Row& barycentric) {
-  return element.source_slot == none ? initial_state(disc, batch, element, barycentric)
-                                     : source_state(disc, batch, element, barycentric);
+  return element.source_slot[disc.dimension + 1] == none ? initial_state(disc, batch, element, barycentric)
+                                                         : source_state(disc, batch, element, barycentric);
 }
 
 }  // namespace tentpole::reference

@@ -38,10 +38,9 @@ Geometry element_geometry(const ElementDescriptor& element, int dimension);
 /// Outward normal times area of the facet opposite `corner`, as a spacetime covector [D + 1].
 Vector facet_covector(const Geometry& geometry, int dimension, int corner);
 
-/// Corners of the outflow facet (0..D with the top in place of `pole`); pole = D + 1 gives the inflow facet.
-std::vector<int> front_corners(int dimension, int pole);
-/// Corners of the vertical facet opposite corner `opposite`: ascending, the top last.
-std::vector<int> vertical_corners(int dimension, int opposite);
+/// Corners of a facet as facet_table() numbers the listings: 0..D+1 without corner `table`, or for table > D + 1 the
+/// corners 0..D with D + 1 in place of table - D - 2.
+std::vector<int> facet_corners(int dimension, int table);
 
 /// Barycentric coordinates [D + 1] of point q of the facet rule.
 Row facet_barycentric(const Discretization& discretization, int q);

@@ -8,39 +8,37 @@ inline const double* body_force_block(const PatchBatch& batch, const ElementDesc
   return element.body_force_data == none ? nullptr : batch.prescribed + element.body_force_data;
 }
 
-/// Traces on the outflow facet opposite `pole`: velocity and strain modes (stride facet_stride) into scratch.trace.
+/// Traces on the facet with this code: velocity and strain modes (stride facet_stride) into scratch.trace.
 template <int D, class Lanes>
-inline void outflow_trace(const ReferenceTablesView& tables, int pole, const double* inverse_jacobian,
-                          const double* coefficients, const ResidualScratch& scratch, const Lanes& lanes) {
-  const long size = (D + 1L) * tables.num_basis * tables.facet_stride;
-  gradient_modes<D>(tables, tables.outflow_derivative + pole * size, coefficients, scratch.gradient, lanes);
+inline void facet_trace(const ReferenceTablesView& tables, int code, const double* inverse_jacobian,
+                        const double* coefficients, const ResidualScratch& scratch, const Lanes& lanes) {
+  gradient_modes<D>(tables, tables.facet_derivative(code), coefficients, scratch.gradient, lanes);
   lanes.synchronize();
   velocity_and_strain<D>(inverse_jacobian, scratch.gradient, tables.facet_stride, scratch.trace, lanes);
   lanes.synchronize();
 }
 
-/// Data below the inflow facet in its own modes (layout of an initial data block): copied from the prescribed data, or
+/// Data below one inflow facet in its own modes (layout of an initial data block): copied from the prescribed data, or
 /// the trace of the source element. Facet corners of source and element agree one by one, so no change of modes is
 /// needed.
 template <int D, class Lanes>
-inline void load_inflow_data(const PatchBatch& batch, const ReferenceTablesView& tables,
-                             const ElementDescriptor& element, double* scratch_memory, double* data,
-                             const Lanes& lanes) {
+inline void load_facet_data(const PatchBatch& batch, const ReferenceTablesView& tables,
+                            const ElementDescriptor& element, int facet, double* scratch_memory, double* data,
+                            const Lanes& lanes) {
   constexpr int d = D + 1, num_fields = D + num_symmetric(D);
-  const int num_modes = tables.num_facet_modes;
-  if (element.source_slot == none) {
+  const int num_modes = tables.num_facet_modes, slot = element.source_slot[facet];
+  if (slot == none) {
     for (int entry = lanes.first(); entry < num_fields * num_modes + D * d; entry += lanes.count())
-      data[entry] = batch.prescribed[element.inflow_data + entry];
+      data[entry] = batch.prescribed[element.facet_data[facet] + entry];
     return;
   }
   const ResidualScratch scratch = ResidualScratch::at(scratch_memory, tables);
-  const double* coefficients = batch.coefficients + static_cast<long>(element.source_slot) * tables.num_unknowns;
-  outflow_trace<D>(tables, element.source_pole,
-                   batch.inverse_jacobians + static_cast<long>(element.source_slot) * d * d, coefficients, scratch,
-                   lanes);
+  const double* coefficients = batch.coefficients + static_cast<long>(slot) * tables.num_unknowns;
+  const int code = element.source_facet[facet];
+  facet_trace<D>(tables, code, batch.inverse_jacobians + static_cast<long>(slot) * d * d, coefficients, scratch, lanes);
   for (int entry = lanes.first(); entry < num_fields * num_modes; entry += lanes.count())
     data[entry] = scratch.trace[entry / num_modes * tables.facet_stride + entry % num_modes];
-  const double* value = tables.outflow_value + static_cast<long>(element.source_pole) * tables.num_basis * d;
+  const double* value = tables.facet_value(code);
   for (int entry = lanes.first(); entry < D * d; entry += lanes.count()) {
     double sum = 0;
     for (int a = 0; a < tables.num_basis; ++a)
@@ -50,32 +48,76 @@ inline void load_inflow_data(const PatchBatch& batch, const ReferenceTablesView&
   lanes.synchronize();
 }
 
-/// Outgoing amplitudes O^T c of every port, from traces.
+/// The data of all inflow facets of an element, block by block.
 template <int D, class Lanes>
-inline void emitted_amplitudes(const ElementOperator<D>& op, const ReferenceTablesView& tables,
+inline void load_inflow_data(const PatchBatch& batch, const ReferenceTablesView& tables,
+                             const ElementDescriptor& element, const ElementOperator<D>& op, double* scratch_memory,
+                             double* data, const Lanes& lanes) {
+  const int data_size = (D + num_symmetric(D)) * tables.num_facet_modes + D * (D + 1);
+  for (int f = 0; f < op.num_inflow; ++f)
+    load_facet_data<D>(batch, tables, element, op.inflow[f].facet, scratch_memory, data + f * data_size, lanes);
+}
+
+/// Outgoing amplitudes O^T c through one vertical facet, from traces.
+template <int D, class Lanes>
+inline void emit_through_vertical(const VerticalFacet<D>& facet, const ReferenceTablesView& tables,
+                                  const double* coefficients, const ResidualScratch& scratch, double* slots,
+                                  const Lanes& lanes) {
+  constexpr int d = D + 1;
+  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
+  gradient_modes<D>(tables, tables.facet_derivative(facet.facet), coefficients, scratch.gradient, lanes);
+  lanes.synchronize();
+  for (int m = lanes.first(); m < num_modes; m += lanes.count())
+    for (int c = 0; c < D; ++c) {
+      double wave = 0;
+      for (int i = 0; i < D; ++i)
+        for (int l = 0; l < d; ++l)
+          wave += (facet.impedance[c] * facet.velocity[c][i][l] - facet.traction[c][i][l]) *
+                  scratch.gradient[(i * d + l) * stride + m];
+      slots[c * num_modes + m] = sqrt(facet.measure / (2 * facet.impedance[c])) * wave;
+    }
+  lanes.synchronize();
+}
+
+/// Outgoing waves through one inclined facet and the moments that its other side (`receiver`, or nullptr) takes.
+template <int D, class Lanes>
+inline void emit_through_inclined(const InclinedFacet<D>& facet, const RigidFacet<D>* receiver,
+                                  const ReferenceTablesView& tables, const double* coefficients,
+                                  const ResidualScratch& scratch, double* slots, const Lanes& lanes) {
+  constexpr int d = D + 1, num_rigid = RigidFacet<D>::num_rigid;
+  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
+  gradient_modes<D>(tables, tables.facet_derivative(facet.facet), coefficients, scratch.gradient, lanes);
+  lanes.synchronize();
+  for (int m = lanes.first(); m < num_modes; m += lanes.count())
+    for (int c = 0; c < facet.num_waves; ++c) {
+      double wave = 0;
+      for (int i = 0; i < D; ++i)
+        for (int l = 0; l < d; ++l) wave += facet.outgoing[c][i][l] * scratch.gradient[(i * d + l) * stride + m];
+      slots[c * num_modes + m] = wave;
+    }
+  if (lanes.first() == 0) {
+    double displacement[D * d];
+    displacement_modes<D>(tables, facet.facet, coefficients, displacement);
+    for (int r = 0; r < num_rigid; ++r)
+      slots[facet.num_waves * num_modes + r] = receiver ? rigid_amount<D>(*receiver, r, displacement) : 0.0;
+  }
+  lanes.synchronize();
+}
+
+/// Outgoing amplitudes of every port of an element. receivers as for assemble_element.
+template <int D, class Lanes>
+inline void emitted_amplitudes(const ElementOperator<D>& op, const RigidFacet<D>* const* receivers,
+                               const ReferenceTablesView& tables, const CondensedShape& shape,
                                const double* coefficients, double* scratch_memory, double* outgoing,
                                const Lanes& lanes) {
-  constexpr int d = D + 1;
   const ResidualScratch scratch = ResidualScratch::at(scratch_memory, tables);
-  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
-  for (int f = 0; f < op.num_vertical; ++f) {
-    const VerticalFacet<D>& facet = op.vertical[f];
-    if (facet.port == none) continue;
-    const long size = static_cast<long>(d) * tables.num_basis * stride;
-    gradient_modes<D>(tables, tables.vertical_derivative + facet.facet * size, coefficients, scratch.gradient, lanes);
-    lanes.synchronize();
-    for (int m = lanes.first(); m < num_modes; m += lanes.count())
-      for (int c = 0; c < D; ++c) {
-        double wave = 0;
-        for (int i = 0; i < D; ++i)
-          for (int l = 0; l < d; ++l)
-            wave += (facet.impedance[c] * facet.velocity[c][i][l] - facet.traction[c][i][l]) *
-                    scratch.gradient[(i * d + l) * stride + m];
-        outgoing[facet.port * D * num_modes + c * num_modes + m] =
-            sqrt(facet.measure / (2 * facet.impedance[c])) * wave;
-      }
-    lanes.synchronize();
-  }
+  for (int f = 0; f < op.num_vertical; ++f)
+    if (op.vertical[f].port != none)
+      emit_through_vertical<D>(op.vertical[f], tables, coefficients, scratch,
+                               outgoing + op.vertical[f].port * shape.amplitudes_per_port, lanes);
+  for (int f = 0; f < op.num_inclined; ++f)
+    emit_through_inclined<D>(op.inclined[f], receivers[f], tables, coefficients, scratch,
+                             outgoing + op.inclined[f].port * shape.amplitudes_per_port, lanes);
 }
 
 /// Largest eigenvalue of a symmetric D x D tensor (closed forms; D = 3 by the trigonometric solution of the cubic).
@@ -104,7 +146,7 @@ inline double largest_principal(const double (&s)[D][D]) {
   }
 }
 
-/// Largest principal stress at the corners of the outflow facet whose trace is given.
+/// Largest principal stress at the corners of a facet whose trace is given.
 template <int D>
 inline double largest_corner_stress(const ElementOperator<D>& op, const ReferenceTablesView& tables,
                                     const double* trace) {
@@ -149,17 +191,29 @@ inline void post_process(const PatchBatch& batch, const ReferenceTablesView& tab
   for (int entry = lanes.first(); entry < d * d; entry += lanes.count())
     batch.inverse_jacobians[static_cast<long>(element.result_slot) * d * d + entry] =
         op.inverse_jacobian[entry / d][entry % d];
-  outflow_trace<D>(tables, element.pole, &op.inverse_jacobian[0][0], solution, scratch, lanes);
+  const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
+  double outflow_energy = 0, largest_stress = 0;
+  for (int f = 0; f < op.num_outflow; ++f) {
+    facet_trace<D>(tables, facet_table(element, D, op.outflow[f].facet), &op.inverse_jacobian[0][0], solution, scratch,
+                   lanes);
+    outflow_energy += facet_energy<D>(op, op.outflow[f].covector, scratch.trace, stride, num_modes);
+    const double stress = largest_corner_stress<D>(op, tables, scratch.trace);
+    largest_stress = f == 0 ? stress : fmax(largest_stress, stress);
+    lanes.synchronize();
+  }
   if (lanes.first() == 0) {
     ElementRecord& record = batch.records[element_index];
-    record.outflow_energy =
-        facet_energy<D>(op, op.outflow_covector, scratch.trace, tables.facet_stride, tables.num_facet_modes);
-    record.max_principal_stress = largest_corner_stress<D>(op, tables, scratch.trace);
-    for (int field = 0; field < num_fields; ++field)
-      for (int m = 0; m < tables.num_facet_modes; ++m)
-        scratch.trace[field * tables.facet_stride + m] = inflow_data[field * tables.num_facet_modes + m];
-    record.inflow_energy =
-        -facet_energy<D>(op, op.inflow_covector, scratch.trace, tables.facet_stride, tables.num_facet_modes);
+    record.outflow_energy = outflow_energy;
+    record.max_principal_stress = largest_stress;
+    record.inflow_energy = record.initial_energy = 0;
+    for (int f = 0; f < op.num_inflow; ++f) {
+      const double* data = inflow_data + f * (num_fields * num_modes + D * d);
+      for (int field = 0; field < num_fields; ++field)
+        for (int m = 0; m < num_modes; ++m) scratch.trace[field * stride + m] = data[field * num_modes + m];
+      const double energy = -facet_energy<D>(op, op.inflow[f].covector, scratch.trace, stride, num_modes);
+      record.inflow_energy += energy;
+      if (element.source_slot[op.inflow[f].facet] == none) record.initial_energy += energy;
+    }
     const double* body_force = body_force_block(batch, element);
     if (body_force) record.external_work += body_force_work<D>(op, tables, solution, body_force);
     record.residual = residual;

@@ -1,5 +1,6 @@
 #include "kernels/reference_tables.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -21,21 +22,13 @@ double factorial(int n) {
   return n < 2 ? 1.0 : n * factorial(n - 1);
 }
 
-/// Corners of a facet in the listed order of patch_batch.hpp; the simplex has corners 0..D+1.
-Corners inflow_corners(int dimension) {
-  Corners corners;
-  for (int corner = 0; corner <= dimension; ++corner) corners.push_back(corner);
-  return corners;
-}
-Corners outflow_corners(int dimension, int pole) {
-  Corners corners = inflow_corners(dimension);
-  corners[pole] = dimension + 1;
-  return corners;
-}
-Corners vertical_corners(int dimension, int facet) {
+/// Corners of the facet with this code in their listed order (patch_batch.hpp); the simplex has corners 0..D+1.
+Corners facet_corners(int dimension, int code) {
+  const bool tent_top = code > dimension + 1;
   Corners corners;
   for (int corner = 0; corner <= dimension + 1; ++corner)
-    if (corner != facet) corners.push_back(corner);
+    if (tent_top ? corner <= dimension : corner != code) corners.push_back(corner);
+  if (tent_top) corners[code - dimension - 2] = dimension + 1;
   return corners;
 }
 
@@ -197,6 +190,8 @@ ReferenceTablesView table_sizes(int dimension, int degree) {
   size.num_facet_modes = num_polynomials(dimension, degree - 1);
   size.num_volume_modes = num_polynomials(dimension + 1, degree - 1);
   size.num_curvature_modes = num_polynomials(dimension + 1, degree - 2);
+  size.num_lines = dimension == 1 ? 1 : degree + 1;
+  size.num_panel_points = std::max(3, degree);
   size.basis_stride = round_up(size.num_basis, 4);
   size.facet_stride = round_up(size.num_facet_modes, 4);
   return size;
@@ -210,21 +205,23 @@ ReferenceTables::ReferenceTables(int dimension, int degree) {
                                 std::to_string(degree) + ": dimension must be 1..3 and degree 1..7");
   offsets_ = table_sizes(dimension, degree);
   const ReferenceTablesView& size = offsets_;
-  const std::size_t d = dimension + 1, facets = dimension + 1;
+  const OrthonormalBasis facet_basis(dimension, degree - 1);
+  const std::size_t d = dimension + 1, facets = dimension + 2, codes = 2 * dimension + 3;
   const std::size_t derivative = d * size.num_basis * size.facet_stride;
   const std::size_t value = size.num_basis * d;
   const std::size_t gram = size.num_basis * d * d * size.basis_stride;
-  const std::size_t lengths[] = {derivative,
-                                 facets * derivative,
-                                 facets * derivative,
-                                 value,
-                                 facets * value,
-                                 gram,
+  const std::size_t lengths[] = {codes * derivative,
+                                 codes * value,
                                  facets * gram,
                                  d * d,
                                  d * size.facet_stride,
                                  d * size.num_basis * size.num_volume_modes,
-                                 d * (d + 1) / 2 * size.num_curvature_modes * size.basis_stride};
+                                 d * (d + 1) / 2 * size.num_curvature_modes * size.basis_stride,
+                                 std::size_t(size.num_lines),
+                                 std::size_t(size.num_lines),
+                                 std::size_t(size.num_panel_points),
+                                 std::size_t(size.num_panel_points),
+                                 facet_basis.recurrence_rows().size()};
   std::size_t total = 0;
   for (std::size_t length : lengths) {
     offset_.push_back(total);
@@ -234,35 +231,36 @@ ReferenceTables::ReferenceTables(int dimension, int degree) {
   const auto table = [&](int index) { return block_.data() + offset_[index]; };
 
   const TableBuilder builder(size);
-  const FacetSamples inflow = builder.sample(inflow_corners(dimension));
-  builder.derivative_modes(inflow, table(0));
-  builder.value_modes(inflow, table(3));
-  builder.gram(table(0), table(5));
-  for (int facet = 0; facet <= dimension; ++facet) {
-    const FacetSamples vertical = builder.sample(vertical_corners(dimension, facet));
-    builder.derivative_modes(vertical, table(1) + facet * derivative);
-    builder.gram(table(1) + facet * derivative, table(6) + facet * gram);
-    const FacetSamples outflow = builder.sample(outflow_corners(dimension, facet));
-    builder.derivative_modes(outflow, table(2) + facet * derivative);
-    builder.value_modes(outflow, table(4) + facet * value);
+  for (std::size_t code = 0; code < codes; ++code) {
+    const FacetSamples samples = builder.sample(facet_corners(dimension, static_cast<int>(code)));
+    builder.derivative_modes(samples, table(0) + code * derivative);
+    builder.value_modes(samples, table(1) + code * value);
+    if (code < facets) builder.gram(table(0) + code * derivative, table(2) + code * gram);
   }
-  builder.corner_tables(table(7), table(8));
-  builder.volume_tables(table(9), table(10));
+  builder.corner_tables(table(3), table(4));
+  builder.volume_tables(table(5), table(6));
+  const Quadrature lines = gauss_jacobi(size.num_lines, 0), panel = gauss_jacobi(size.num_panel_points, 0);
+  std::ranges::copy(lines.points, table(7));
+  std::ranges::copy(lines.weights, table(8));
+  std::ranges::copy(panel.points, table(9));
+  std::ranges::copy(panel.weights, table(10));
+  std::ranges::copy(facet_basis.recurrence_rows(), table(11));
 }
 
 ReferenceTablesView ReferenceTables::view(const double* base) const {
   ReferenceTablesView view = offsets_;
-  view.inflow_derivative = base + offset_[0];
-  view.vertical_derivative = base + offset_[1];
-  view.outflow_derivative = base + offset_[2];
-  view.inflow_value = base + offset_[3];
-  view.outflow_value = base + offset_[4];
-  view.inflow_gram = base + offset_[5];
-  view.vertical_gram = base + offset_[6];
-  view.corner_modes = base + offset_[7];
-  view.corner_psi = base + offset_[8];
-  view.volume_derivative = base + offset_[9];
-  view.curvature = base + offset_[10];
+  view.derivative = base + offset_[0];
+  view.value = base + offset_[1];
+  view.gram = base + offset_[2];
+  view.corner_modes = base + offset_[3];
+  view.corner_psi = base + offset_[4];
+  view.volume_derivative = base + offset_[5];
+  view.curvature = base + offset_[6];
+  view.line_point = base + offset_[7];
+  view.line_weight = base + offset_[8];
+  view.panel_point = base + offset_[9];
+  view.panel_weight = base + offset_[10];
+  view.facet_recurrence = base + offset_[11];
   return view;
 }
 

@@ -1,81 +1,11 @@
 #pragma once
 
-#include "kernels/amplitude_coupling.hpp"
 #include "kernels/cycle_counter.hpp"
-#include "kernels/element_residual.hpp"
 #include "kernels/eliminate.hpp"
+#include "kernels/fracture_loop.hpp"
 #include "kernels/post_processing.hpp"
 
 namespace tentpole {
-
-/// Memory of one element while its patch is solved.
-template <int D>
-struct ElementWorkspace {
-  ElementOperator<D>* op;
-  double* matrix;       ///< condensed matrix
-  double* diagonal;     ///< of A before elimination [unknowns_padded]
-  double* right;        ///< b or residual, then L^-1 of it [unknowns_padded]
-  double* solution;     ///< c [unknowns_padded]
-  double* inflow_data;  ///< layout of an initial data block
-};
-
-/// All scratch of one patch: a block per element, then arrays shared by its elements, then the coupling solver.
-template <int D>
-struct PatchWorkspace {
-  static constexpr int max_ports = D;
-  ReferenceTablesView tables;
-  int num_elements;
-  double* memory;
-
-  static long padded(long n) { return (n + 7) / 8 * 8; }
-  static long inflow_size(const ReferenceTablesView& tables) {
-    return padded((D + num_symmetric(D)) * tables.num_facet_modes + D * (D + 1));
-  }
-  static long element_size(const ReferenceTablesView& tables) {
-    const CondensedShape shape(tables, max_ports);
-    return padded(sizeof(ElementOperator<D>) / sizeof(double) + 1) + padded(shape.matrix_size()) +
-           3 * padded(shape.unknowns_padded) + inflow_size(tables);
-  }
-  static long shared_size(const ReferenceTablesView& tables) {
-    const CondensedShape shape(tables, max_ports);
-    return padded(VolumeFactors::size(tables)) + padded(ResidualScratch::size(tables)) +
-           padded(8L * shape.unknowns_padded);
-  }
-  /// Doubles needed by a patch of `num_elements`, solved by `lanes` lanes.
-  static long size(const ReferenceTablesView& tables, int num_elements, int lanes) {
-    const int amplitudes = num_elements * max_ports * D * tables.num_facet_modes;
-    const long indices = padded(num_elements * (2L + max_ports));
-    return num_elements * element_size(tables) + shared_size(tables) + 2 * padded(amplitudes) + indices +
-           padded(CouplingScratch::size(amplitudes, lanes));
-  }
-
-  ElementWorkspace<D> element(int local) const {
-    const CondensedShape shape(tables, max_ports);
-    double* next = memory + local * element_size(tables);
-    const auto take = [&next](long count) {
-      double* start = next;
-      next += padded(count);
-      return start;
-    };
-    ElementWorkspace<D> workspace;
-    workspace.op = reinterpret_cast<ElementOperator<D>*>(take(sizeof(ElementOperator<D>) / sizeof(double) + 1));
-    workspace.matrix = take(shape.matrix_size());
-    workspace.diagonal = take(shape.unknowns_padded);
-    workspace.right = take(shape.unknowns_padded);
-    workspace.solution = take(shape.unknowns_padded);
-    workspace.inflow_data = take(inflow_size(tables));
-    return workspace;
-  }
-  double* volume_factors() const { return memory + num_elements * element_size(tables); }
-  double* residual_scratch() const { return volume_factors() + padded(VolumeFactors::size(tables)); }
-  double* packed() const { return residual_scratch() + padded(ResidualScratch::size(tables)); }
-  int num_amplitudes() const { return num_elements * max_ports * D * tables.num_facet_modes; }
-  double* outgoing() const { return volume_factors() + shared_size(tables); }
-  double* incoming() const { return outgoing() + padded(num_amplitudes()); }
-  const double** responses() const { return reinterpret_cast<const double**>(incoming() + padded(num_amplitudes())); }
-  int* integers() const { return reinterpret_cast<int*>(responses() + num_elements); }
-  double* coupling() const { return incoming() + padded(num_amplitudes()) + padded(num_elements * (2L + max_ports)); }
-};
 
 /// Transposes the square response block of an element in place, so that products with it run along rows.
 template <class Lanes>
@@ -91,16 +21,31 @@ inline void transpose_response(const CondensedShape& shape, double* matrix, cons
     }
 }
 
+/// First outgoing amplitude of the port that a neighbour has on its side of a facet.
+template <int D>
+inline int partner_port(const PatchWorkspace<D>& workspace, int other, int facet) {
+  const PatchShape shape = workspace.patch_shape();
+  const ElementOperator<D>& op = *workspace.element(other).op;
+  int port = none;
+  for (int g = 0; g < op.num_vertical; ++g)
+    if (op.vertical[g].facet == facet) port = op.vertical[g].port;
+  for (int g = 0; g < op.num_inclined; ++g)
+    if (op.inclined[g].facet == facet) port = op.inclined[g].port;
+  return (other * shape.max_ports + port) * shape.amplitudes_per_port;
+}
+
 /// Which entry of the outgoing amplitudes feeds each port, and where each element's response block lies.
 template <int D, class Lanes>
 inline AmplitudeSystem amplitude_system(const PatchBatch& batch, const PatchDescriptor& patch,
                                         const PatchWorkspace<D>& workspace, const Lanes& lanes) {
-  constexpr int max_ports = PatchWorkspace<D>::max_ports;
+  const PatchShape shape = workspace.patch_shape();
   AmplitudeSystem system;
   system.num_elements = patch.num_elements;
-  system.amplitudes_per_port = D * workspace.tables.num_facet_modes;
-  system.max_ports = max_ports;
-  system.max_amplitudes = max_ports * system.amplitudes_per_port;
+  system.amplitudes_per_port = shape.amplitudes_per_port;
+  system.max_ports = shape.max_ports;
+  system.max_amplitudes = shape.max_ports * shape.amplitudes_per_port;
+  system.num_fractures = patch.num_fractures;
+  system.fractures = workspace.links();
   const double** response = workspace.responses();
   int* response_stride = workspace.integers();
   int* num_amplitudes = response_stride + patch.num_elements;
@@ -108,21 +53,19 @@ inline AmplitudeSystem amplitude_system(const PatchBatch& batch, const PatchDesc
   for (int e = lanes.first(); e < patch.num_elements; e += lanes.count()) {
     const ElementDescriptor& element = batch.elements[patch.first_element + e];
     const ElementWorkspace<D> own = workspace.element(e);
-    const CondensedShape shape(workspace.tables, own.op->num_ports);
-    response[e] = own.matrix + static_cast<long>(shape.unknowns_padded) * shape.stride + shape.unknowns_padded;
-    response_stride[e] = shape.stride;
-    num_amplitudes[e] = shape.num_amplitudes;
-    for (int port = 0; port < max_ports; ++port) source[e * max_ports + port] = none;
-    for (int f = 0; f < own.op->num_vertical; ++f) {
-      const VerticalFacet<D>& vertical = own.op->vertical[f];
-      if (vertical.port == none) continue;
-      const int other = element.neighbor[vertical.facet] - patch.first_element;
-      const ElementOperator<D>& other_op = *workspace.element(other).op;
-      for (int g = 0; g < other_op.num_vertical; ++g)
-        if (other_op.vertical[g].facet == element.neighbor_facet[vertical.facet])
-          source[e * max_ports + vertical.port] =
-              other * system.max_amplitudes + other_op.vertical[g].port * system.amplitudes_per_port;
-    }
+    const CondensedShape condensed = workspace.shape(own);
+    response[e] =
+        own.matrix + static_cast<long>(condensed.unknowns_padded) * condensed.stride + condensed.unknowns_padded;
+    response_stride[e] = condensed.stride;
+    num_amplitudes[e] = condensed.num_amplitudes;
+    for (int port = 0; port < shape.max_ports; ++port) source[e * shape.max_ports + port] = none;
+    const auto connect = [&](int facet, int port) {
+      if (port == none || element.facet_kind[facet] == FacetKind::fracture) return;
+      source[e * shape.max_ports + port] =
+          partner_port<D>(workspace, element.neighbor[facet] - patch.first_element, element.neighbor_facet[facet]);
+    };
+    for (int f = 0; f < own.op->num_vertical; ++f) connect(own.op->vertical[f].facet, own.op->vertical[f].port);
+    for (int f = 0; f < own.op->num_inclined; ++f) connect(own.op->inclined[f].facet, own.op->inclined[f].port);
   }
   system.response = response;
   system.response_stride = response_stride;
@@ -132,21 +75,54 @@ inline AmplitudeSystem amplitude_system(const PatchBatch& batch, const PatchDesc
   return system;
 }
 
+/// The rigid modes with which the neighbours across the inclined facets of an element take its displacement.
+template <int D>
+struct Receivers {
+  const RigidFacet<D>* rigid[InclinedFacet<D>::max_per_element];
+};
+template <int D>
+inline Receivers<D> receivers_of(const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
+                                 const ElementDescriptor& element, const ElementOperator<D>& op) {
+  Receivers<D> receivers{};
+  for (int f = 0; f < op.num_inclined; ++f) {
+    const int facet = op.inclined[f].facet;
+    const ElementOperator<D>& other = *workspace.element(element.neighbor[facet] - patch.first_element).op;
+    for (int g = 0; g < other.num_inclined; ++g)
+      if (other.inclined[g].facet == element.neighbor_facet[facet] && other.inclined[g].rigid != none)
+        receivers.rigid[f] = &other.rigid[other.inclined[g].rigid];
+  }
+  return receivers;
+}
+
+/// Builds the operators of all elements: across an inclined facet an element needs its neighbour's.
+template <int D, class Lanes>
+inline Status build_operators(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
+                              const Lanes& lanes) {
+  Status status = Status::ok;
+  for (int e = 0; e < patch.num_elements; ++e) {
+    ElementOperator<D> op;
+    const Status of_element =
+        build_element_operator<D>(batch, workspace.tables, batch.elements[patch.first_element + e], op);
+    if (status == Status::ok) status = of_element;
+    if (lanes.first() == 0) *workspace.element(e).op = op;
+  }
+  lanes.synchronize();
+  return status;
+}
+
 /// Assembles one element and its right-hand side.
 template <int D, class Lanes>
-inline Status assemble_patch_element(const PatchBatch& batch, const PatchWorkspace<D>& workspace,
-                                     const ElementDescriptor& element, const ElementWorkspace<D>& own,
-                                     const Lanes& lanes) {
+inline void assemble_patch_element(const PatchBatch& batch, const PatchDescriptor& patch,
+                                   const PatchWorkspace<D>& workspace, int e, const Lanes& lanes) {
   const ReferenceTablesView& tables = workspace.tables;
-  Status status = Status::ok;
-  ElementOperator<D> op;
-  status = build_element_operator<D>(batch, tables, element, op);
-  if (status != Status::ok) return status;
-  if (lanes.first() == 0) *own.op = op;
-  load_inflow_data<D>(batch, tables, element, workspace.residual_scratch(), own.inflow_data, lanes);
+  const ElementDescriptor& element = batch.elements[patch.first_element + e];
+  const ElementWorkspace<D> own = workspace.element(e);
+  const ElementOperator<D>& op = *own.op;
+  load_inflow_data<D>(batch, tables, element, op, workspace.residual_scratch(), own.inflow_data, lanes);
   lanes.synchronize();
-  const CondensedShape shape(tables, op.num_ports);
-  assemble_element<D>(op, tables, shape, workspace.volume_factors(), own.matrix, lanes);
+  const CondensedShape shape = workspace.shape(own);
+  const Receivers<D> receivers = receivers_of<D>(patch, workspace, element, op);
+  assemble_element<D>(op, tables, shape, receivers.rigid, workspace.volume_factors(), own.matrix, lanes);
   for (int unknown = lanes.first(); unknown < shape.unknowns_padded; unknown += lanes.count()) {
     own.diagonal[unknown] = own.matrix[static_cast<long>(unknown) * shape.stride + unknown];
     own.solution[unknown] = 0;
@@ -154,7 +130,6 @@ inline Status assemble_patch_element(const PatchBatch& batch, const PatchWorkspa
   lanes.synchronize();
   element_residual<D>(op, tables, shape, nullptr, nullptr, own.inflow_data, body_force_block(batch, element),
                       batch.prescribed, workspace.residual_scratch(), own.right, lanes);
-  return status;
 }
 
 /// right = L^-1 right, outgoing = (O^T U^-1) right: what the element emits without incoming waves.
@@ -181,23 +156,44 @@ inline void recover_solution(const ElementWorkspace<D>& own, const CondensedShap
   lanes.synchronize();
 }
 
+/// What every element emits without incoming waves, for the right-hand sides held in `right`.
+template <int D, class Lanes>
+inline void condense_all(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
+  for (int e = 0; e < system.num_elements; ++e) {
+    const ElementWorkspace<D> own = workspace.element(e);
+    condense_right_side<D>(own, workspace.shape(own), workspace.outgoing() + e * system.max_amplitudes, lanes);
+  }
+}
+
+/// Recovers the coefficients of all elements from the incoming amplitudes.
+template <int D, class Lanes>
+inline void recover_all(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
+  for (int e = 0; e < system.num_elements; ++e) {
+    const ElementWorkspace<D> own = workspace.element(e);
+    recover_solution<D>(own, workspace.shape(own), workspace.incoming() + e * system.max_amplitudes, lanes);
+  }
+}
+
 /// One pass of trace condensation for the right-hand sides held in `right`; adds to `solution`. Returns the iterations
 /// of the coupling, or -1.
 template <int D, class Lanes>
 inline int solve_condensed(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
-  for (int e = 0; e < system.num_elements; ++e) {
-    const ElementWorkspace<D> own = workspace.element(e);
-    condense_right_side<D>(own, CondensedShape(workspace.tables, own.op->num_ports),
-                           workspace.outgoing() + e * system.max_amplitudes, lanes);
-  }
+  condense_all<D>(workspace, system, lanes);
   exchange_amplitudes(system, workspace.outgoing(), workspace.incoming(), lanes);
   const int iterations =
       solve_coupling(system, workspace.incoming(), CouplingScratch::at(workspace.coupling(), system.size()), lanes);
-  for (int e = 0; e < system.num_elements; ++e) {
-    const ElementWorkspace<D> own = workspace.element(e);
-    recover_solution<D>(own, CondensedShape(workspace.tables, own.op->num_ports),
-                        workspace.incoming() + e * system.max_amplitudes, lanes);
-  }
+  recover_all<D>(workspace, system, lanes);
+  return iterations;
+}
+
+/// The same for a patch with fracture facets; leaves the maps of the last damage round in place.
+template <int D, class Lanes>
+inline int solve_condensed_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
+                                     const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, Status& status,
+                                     const Lanes& lanes) {
+  condense_all<D>(workspace, system, lanes);
+  const int iterations = solve_fractures<D>(batch, patch, workspace, system, status, lanes);
+  recover_all<D>(workspace, system, lanes);
   return iterations;
 }
 
@@ -230,15 +226,16 @@ inline double evaluate_patch(const PatchBatch& batch, const PatchDescriptor& pat
   const ReferenceTablesView& tables = workspace.tables;
   for (int e = 0; e < patch.num_elements; ++e) {
     const ElementWorkspace<D> own = workspace.element(e);
-    emitted_amplitudes<D>(*own.op, tables, own.solution, workspace.residual_scratch(),
-                          workspace.outgoing() + e * system.max_amplitudes, lanes);
+    const Receivers<D> receivers = receivers_of<D>(patch, workspace, batch.elements[patch.first_element + e], *own.op);
+    emitted_amplitudes<D>(*own.op, receivers.rigid, tables, workspace.shape(own), own.solution,
+                          workspace.residual_scratch(), workspace.outgoing() + e * system.max_amplitudes, lanes);
   }
   exchange_amplitudes(system, workspace.outgoing(), workspace.incoming(), lanes);
   double largest_residual = 0, largest_solution = 0;
   for (int e = 0; e < patch.num_elements; ++e) {
     const ElementDescriptor& element = batch.elements[patch.first_element + e];
     const ElementWorkspace<D> own = workspace.element(e);
-    const CondensedShape shape(tables, own.op->num_ports);
+    const CondensedShape shape = workspace.shape(own);
     const ElementBalance balance = element_residual<D>(
         *own.op, tables, shape, own.solution, workspace.incoming() + e * system.max_amplitudes, own.inflow_data,
         body_force_block(batch, element), batch.prescribed, workspace.residual_scratch(), own.right, lanes);
@@ -260,27 +257,27 @@ inline double evaluate_patch(const PatchBatch& batch, const PatchDescriptor& pat
 }
 
 /// Solves one patch (docs/formulation.md, The patch solver): assemble and condense every element, couple the
-/// amplitudes, recover the coefficients, check the residual, refine at most once, store coefficients and records.
+/// amplitudes (in rounds with damage and contact where there are fracture facets), recover the coefficients, check the
+/// residual, refine at most once, store coefficients and records.
 template <int D, class Lanes>
 inline void solve_patch(const PatchBatch& batch, const ReferenceTablesView& tables, int patch_index, double* scratch,
                         StageCycles& cycles, const Lanes& lanes) {
   constexpr double residual_tolerance = 1e-12;
   const PatchDescriptor patch = batch.patches[patch_index];
-  const PatchWorkspace<D> workspace{tables, patch.num_elements, scratch};
-  Status status = Status::ok;
-  for (int e = 0; e < patch.num_elements; ++e) {
+  const PatchWorkspace<D> workspace{tables, patch, lanes.count(), scratch};
+  const long long begun = cycle_counter();
+  Status status = build_operators<D>(batch, patch, workspace, lanes);
+  cycles.assembly += cycle_counter() - begun;
+  for (int e = 0; e < patch.num_elements && status == Status::ok; ++e) {
     const long long start = cycle_counter();
     const ElementWorkspace<D> own = workspace.element(e);
-    status = assemble_patch_element<D>(batch, workspace, batch.elements[patch.first_element + e], own, lanes);
+    assemble_patch_element<D>(batch, patch, workspace, e, lanes);
     const long long assembled = cycle_counter();
     cycles.assembly += assembled - start;
-    if (status != Status::ok) break;
-    if (!eliminate_element(CondensedShape(tables, own.op->num_ports), own.matrix, workspace.packed(), lanes)) {
-      status = Status::singular_pivot;
-      break;
-    }
+    const CondensedShape shape = workspace.shape(own);
+    if (!eliminate_element(shape, own.matrix, workspace.packed(), lanes)) status = Status::singular_pivot;
     lanes.synchronize();
-    transpose_response(CondensedShape(tables, own.op->num_ports), own.matrix, lanes);
+    transpose_response(shape, own.matrix, lanes);
     lanes.synchronize();
     cycles.solution += cycle_counter() - assembled;
   }
@@ -290,7 +287,19 @@ inline void solve_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
   }
   const long long condensed = cycle_counter();
   const AmplitudeSystem system = amplitude_system<D>(batch, patch, workspace, lanes);
-  int iterations = solve_condensed<D>(workspace, system, lanes);
+  int iterations = 0;
+  bool linear = true;
+  if constexpr (D < 3)
+    if (patch.num_fractures > 0) {
+      linear = false;
+      prepare_fractures<D>(batch, patch, workspace, lanes);
+      iterations = solve_condensed_fractures<D>(batch, patch, workspace, system, status, lanes);
+    }
+  if (linear) iterations = solve_condensed<D>(workspace, system, lanes);
+  if (status != Status::ok) {
+    mark_failed(batch, patch, status, lanes);
+    return;
+  }
   const long long solved = cycle_counter();
   cycles.solution += solved - condensed;
   double residual = evaluate_patch<D>(batch, patch, workspace, system, lanes);
@@ -314,15 +323,15 @@ inline void check_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
                         const Lanes& lanes) {
   constexpr double residual_tolerance = 1e-8;
   const PatchDescriptor patch = batch.patches[patch_index];
-  const PatchWorkspace<D> workspace{tables, patch.num_elements, scratch};
+  const PatchWorkspace<D> workspace{tables, patch, lanes.count(), scratch};
+  const Status built = build_operators<D>(batch, patch, workspace, lanes);
+  if (built != Status::ok) return mark_failed(batch, patch, built, lanes);
   for (int e = 0; e < patch.num_elements; ++e) {
-    const ElementDescriptor& element = batch.elements[patch.first_element + e];
     const ElementWorkspace<D> own = workspace.element(e);
-    const Status status = assemble_patch_element<D>(batch, workspace, element, own, lanes);
-    if (status != Status::ok) return mark_failed(batch, patch, status, lanes);
+    assemble_patch_element<D>(batch, patch, workspace, e, lanes);
+    const long slot = batch.elements[patch.first_element + e].result_slot;
     for (int unknown = lanes.first(); unknown < tables.num_unknowns; unknown += lanes.count())
-      own.solution[unknown] =
-          batch.coefficients[static_cast<long>(element.result_slot) * tables.num_unknowns + unknown];
+      own.solution[unknown] = batch.coefficients[slot * tables.num_unknowns + unknown];
   }
   const AmplitudeSystem system = amplitude_system<D>(batch, patch, workspace, lanes);
   const double residual = evaluate_patch<D>(batch, patch, workspace, system, lanes);

@@ -28,7 +28,6 @@ void BatchBuilder::add_tent(HostBatch& batch, int vertex, double top_time) {
   for (std::size_t i = 0; i < star.size(); ++i) element_of_cell_[star[i].cell] = first_element + static_cast<int>(i);
   for (const CellCorner& pole : star) describe_cell(batch, pole, top_time);
   batch.patches.push_back({first_element, static_cast<std::int32_t>(star.size())});
-  batch.largest_patch = std::max(batch.largest_patch, static_cast<int>(star.size()));
   front_.raise(vertex, top_time);
 }
 
@@ -45,38 +44,47 @@ void BatchBuilder::describe_cell(HostBatch& batch, const CellCorner& pole, doubl
   element.corner[dimension + 1][dimension] = top_time;
   element.pole = pole.corner;
   element.material = mesh.cell_region[cell];
-  element.source_slot = sources_.slot[cell];
-  element.source_pole = sources_.pole[cell];
-  element.inflow_data = none;
-  if (element.source_slot == none) {
-    element.inflow_data = prescribed_.add_initial(element, batch.prescribed);
-  } else {
-    store_.release(element.source_slot);
-  }
+  describe_inflow(batch, element, cell);
   element.result_slot = store_.acquire();
   element.body_force_data = prescribed_.add_body_force(element, batch.prescribed);
   describe_facets(batch, element, cell);
   sources_.slot[cell] = element.result_slot;
-  sources_.pole[cell] = element.pole;
+  sources_.facet[cell] = facet_table(element, dimension, element.pole);
   batch.elements.push_back(element);
   batch.cells.push_back(cell);
+}
+
+void BatchBuilder::describe_inflow(HostBatch& batch, ElementDescriptor& element, int cell) {
+  const int facet = simulation_.mesh.dimension + 1;
+  element.facet_kind[facet] = FacetKind::inflow;
+  element.neighbor[facet] = element.facet_data[facet] = none;
+  element.source_slot[facet] = sources_.slot[cell];
+  element.source_facet[facet] = static_cast<std::uint8_t>(sources_.facet[cell]);
+  if (element.source_slot[facet] == none) {
+    element.facet_data[facet] = prescribed_.add_initial(element, batch.prescribed);
+  } else {
+    store_.release(element.source_slot[facet]);
+  }
 }
 
 void BatchBuilder::describe_facets(HostBatch& batch, ElementDescriptor& element, int cell) {
   const SpaceMesh& mesh = simulation_.mesh;
   for (int facet = 0; facet <= mesh.dimension; ++facet) {
-    element.neighbor[facet] = element.boundary_data[facet] = none;
+    element.facet_kind[facet] = FacetKind::outflow;
+    element.neighbor[facet] = element.source_slot[facet] = element.facet_data[facet] = none;
     if (facet == element.pole) continue;
     const std::int32_t neighbor = mesh.neighbor[cell][facet];
     if (neighbor != none) {
+      element.facet_kind[facet] = FacetKind::interior;
       element.neighbor[facet] = element_of_cell_[neighbor];
       element.neighbor_facet[facet] = mesh.neighbor_facet[cell][facet];
       continue;
     }
+    element.facet_kind[facet] = FacetKind::boundary;
     const int boundary = mesh.facet_boundary[cell][facet];
     element.normal_kind[facet] = simulation_.conditions[boundary].normal_kind();
     element.tangential_kind[facet] = simulation_.conditions[boundary].tangential_kind();
-    element.boundary_data[facet] = prescribed_.add_boundary(element, facet, boundary, batch.prescribed);
+    element.facet_data[facet] = prescribed_.add_boundary(element, facet, boundary, batch.prescribed);
   }
 }
 

@@ -12,8 +12,8 @@ namespace tentpole {
 
 /// What lies below each cell of the front.
 struct CellSources {
-  std::vector<std::int32_t> slot;  ///< [cell]: element store slot, or none: the initial data
-  std::vector<std::int32_t> pole;  ///< [cell]: corner whose opposite facet of that element is the cell
+  std::vector<std::int32_t> slot;   ///< [cell]: element store slot, or none: the initial data
+  std::vector<std::int32_t> facet;  ///< [cell]: facet_table() of that element's outflow facet which is the cell
 };
 
 /// Erects tents on local minima of the front and describes them as patches of a batch. The front and the sources
@@ -28,6 +28,7 @@ class BatchBuilder {
  private:
   void add_tent(HostBatch& batch, int vertex, double top_time);
   void describe_cell(HostBatch& batch, const CellCorner& pole, double top_time);
+  void describe_inflow(HostBatch& batch, ElementDescriptor& element, int cell);
   void describe_facets(HostBatch& batch, ElementDescriptor& element, int cell);
 
   const Simulation& simulation_;

@@ -111,7 +111,7 @@ void BatchRunner::prepare_memory(const HostBatch& batch) {
   elements_.resize_discarding(std::ssize(batch.elements));
   prescribed_.resize_discarding(std::ssize(batch.prescribed));
   records_.resize_discarding(std::ssize(batch.elements));
-  const long needed = patch_scratch_size(tables, batch.largest_patch, shape_.lanes);
+  const long needed = patch_scratch_size(tables, batch.patches, shape_.lanes);
   if (needed > scratch_stride_) {
     scratch_stride_ = needed;
     scratch_.resize_discarding(scratch_stride_ * shape_.workers);
@@ -183,7 +183,7 @@ void BatchRunner::download(HostBatch& batch) {
   const ReferenceTablesView tables = host_tables_.view();
   for (std::size_t e = 0; e < batch.elements.size(); ++e) {
     int ports = 0;
-    for (int facet = 0; facet <= tables.dimension; ++facet) ports += batch.elements[e].neighbor[facet] != none;
+    for (int facet = 0; facet <= tables.dimension + 1; ++facet) ports += is_shared(batch.elements[e].facet_kind[facet]);
     batch.modelled_flops += flops_per_element(tables, ports, batch.records[e].num_iterations);
   }
 }
@@ -193,10 +193,10 @@ void BatchRunner::repair_failed_patches(HostBatch& batch) {
     const Status status = static_cast<Status>(batch.records[patch.first_element].status);
     if (status == Status::ok) continue;
     std::vector<std::int32_t> slots;
-    for (int e = 0; e < patch.num_elements; ++e) {
-      const std::int32_t slot = batch.elements[patch.first_element + e].source_slot;
-      if (slot != none) slots.push_back(slot);
-    }
+    for (int e = 0; e < patch.num_elements; ++e)
+      for (int facet = 0; facet <= simulation_.dimension() + 1; ++facet)
+        if (has_source(batch.elements[patch.first_element + e], facet))
+          slots.push_back(batch.elements[patch.first_element + e].source_slot[facet]);
     DenseFallback fallback(batch, patch, simulation_, host_tables_);
     std::vector<double> coefficients, inverse_jacobians;
     read_slots(slots, coefficients, inverse_jacobians);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view format_name = "tentpole checkpoint";
 /// Raise it whenever the data sets, or what ledger, recorder and history write into theirs, change.
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 /// An HDF5 identifier that closes itself; throws where HDF5 reports an error.
 class Handle {
@@ -128,7 +128,7 @@ template <class Contents, class Visitor>
 void visit_arrays(Contents& contents, const Visitor& visit) {
   visit("front_times", contents.front_times);
   visit("cell_element", contents.cell_element);
-  visit("cell_pole", contents.cell_pole);
+  visit("cell_facet", contents.cell_facet);
   visit("coefficients", contents.coefficients);
   visit("inverse_jacobians", contents.inverse_jacobians);
   visit("ledger", contents.ledger);

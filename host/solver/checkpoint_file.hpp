@@ -16,7 +16,7 @@ struct CheckpointContents {
   std::vector<Setting> settings;           ///< all that decides the result (result_settings.hpp)
   std::vector<double> front_times;         ///< [vertex]
   std::vector<std::int32_t> cell_element;  ///< [cell]: row of the element below it, or none: the initial data
-  std::vector<std::int32_t> cell_pole;     ///< [cell]: corner of that element opposite the cell
+  std::vector<std::int32_t> cell_facet;    ///< [cell]: facet_table() of that element's facet which is the cell
   std::vector<double> coefficients;        ///< [element][num_unknowns]
   std::vector<double> inverse_jacobians;   ///< [element][(D + 1)^2]
   std::string ledger, recorder, history;   ///< what their save() wrote

@@ -33,9 +33,10 @@ void DenseFallback::solve(std::span<const std::int32_t> source_slots, std::span<
   int source = num_elements;
   for (int e = 0; e < num_elements; ++e) {
     elements[e].result_slot = e;
-    if (elements[e].source_slot != none) elements[e].source_slot = source++;
-    for (int facet = 0; facet <= simulation_.dimension(); ++facet)
-      if (elements[e].neighbor[facet] != none) elements[e].neighbor[facet] -= patch_.first_element;
+    for (int facet = 0; facet <= simulation_.dimension() + 1; ++facet) {
+      if (has_source(elements[e], facet)) elements[e].source_slot[facet] = source++;
+      if (is_shared(elements[e].facet_kind[facet])) elements[e].neighbor[facet] -= patch_.first_element;
+    }
   }
   coefficients_.assign((num_elements + source_slots.size()) * num_unknowns_, 0.0);
   inverse_jacobians_.assign((num_elements + source_slots.size()) * num_jacobian_, 0.0);
@@ -70,16 +71,21 @@ void DenseFallback::solve(std::span<const std::int32_t> source_slots, std::span<
 void DenseFallback::fail(Status status) const {
   const ElementDescriptor& element = batch_.elements[patch_.first_element];
   const int dimension = simulation_.dimension();
+  int lowest = 0;
+  for (int corner = 1; corner <= dimension + 1; ++corner)
+    if (element.corner[corner][dimension] < element.corner[lowest][dimension]) lowest = corner;
+  if (element.pole != none) lowest = element.pole;
   std::string place;
   char number[32];
   for (int axis = 0; axis < dimension; ++axis) {
     std::snprintf(number, sizeof number, "%s%.6g", axis ? ", " : "",
-                  element.corner[element.pole][axis] * simulation_.scaling.length);
+                  element.corner[lowest][axis] * simulation_.scaling.length);
     place += number;
   }
-  std::snprintf(number, sizeof number, "%.6g", element.corner[element.pole][dimension] * simulation_.scaling.time());
-  throw std::runtime_error("cell " + std::to_string(batch_.cells[patch_.first_element]) + ", tent at (" + place +
-                           ") m, t = " + number + " s: the patch of " + std::to_string(patch_.num_elements) +
+  std::snprintf(number, sizeof number, "%.6g", element.corner[lowest][dimension] * simulation_.scaling.time());
+  throw std::runtime_error("cell " + std::to_string(batch_.cells[patch_.first_element]) + ", " +
+                           (element.pole == none ? "patch" : "tent") + " at (" + place + ") m, t = " + number +
+                           " s: the patch of " + std::to_string(patch_.num_elements) +
                            " elements could not be solved (" + status_name(status) +
                            ", also by pivoted dense LU). Check the mesh there for very flat cells, "
                            "or lower front.causality.");

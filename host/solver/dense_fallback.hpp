@@ -18,8 +18,8 @@ class DenseFallback {
   DenseFallback(HostBatch& batch, const PatchDescriptor& patch, const Simulation& simulation,
                 const ReferenceTables& tables);
 
-  /// Rows of the element store below the patch, in the order of its elements that have a source. Throws
-  /// std::runtime_error with the place, the time and both statuses when the dense solution fails as well.
+  /// Rows of the element store below the patch, in the order of its elements and their facets that have a source.
+  /// Throws std::runtime_error with the place, the time and both statuses when the dense solution fails as well.
   void solve(std::span<const std::int32_t> source_slots, std::span<const double> coefficients,
              std::span<const double> inverse_jacobians);
 

@@ -26,7 +26,7 @@ void FixedMarch::fill(RunSummary& summary) const {
 
 std::vector<std::int32_t> FixedMarch::save(CheckpointContents& contents) const {
   contents.front_times.assign(front_.times().begin(), front_.times().end());
-  contents.cell_pole = sources_.pole;
+  contents.cell_facet = sources_.facet;
   return number_rows(sources_.slot, contents.cell_element);
 }
 
@@ -34,18 +34,18 @@ std::vector<std::int32_t> FixedMarch::load(const CheckpointContents& contents) {
   const SpaceMesh& mesh = books_.simulation.mesh;
   const std::size_t num_cells = mesh.cells.size();
   bool fits = contents.front_times.size() == mesh.vertices.size() && contents.cell_element.size() == num_cells &&
-              contents.cell_pole.size() == num_cells;
+              contents.cell_facet.size() == num_cells;
   std::int32_t num_rows = 0;
   for (std::size_t cell = 0; fits && cell < num_cells; ++cell) {
-    const std::int32_t row = contents.cell_element[cell], pole = contents.cell_pole[cell];
+    const std::int32_t row = contents.cell_element[cell], facet = contents.cell_facet[cell];
     if (row != none) fits = row == num_rows++;
-    fits = fits && pole >= 0 && pole <= mesh.dimension;
+    fits = fits && facet >= 0 && facet < num_facet_tables(mesh.dimension);
   }
   if (!fits) throw std::runtime_error("its arrays do not fit together");
   front_.set_times(contents.front_times);
   std::vector<std::int32_t> slots(num_rows);
   for (std::int32_t& slot : slots) slot = books_.store.acquire();
-  sources_.pole = contents.cell_pole;
+  sources_.facet = contents.cell_facet;
   for (std::size_t cell = 0; cell < num_cells; ++cell)
     sources_.slot[cell] = contents.cell_element[cell] == none ? none : slots[contents.cell_element[cell]];
   return slots;

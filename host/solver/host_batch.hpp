@@ -14,7 +14,6 @@ struct HostBatch {
   std::vector<double> prescribed;
   std::vector<std::int32_t> cells;  ///< [element]: front cell below it
   std::int32_t num_slots = 0;       ///< slots the store must have
-  int largest_patch = 0;            ///< elements
   double front_minimum_time = 0;    ///< of the front after this batch, scaled
 
   std::vector<std::int32_t> wanted;          ///< elements whose coefficients come back

@@ -126,7 +126,7 @@ void Ledger::commit_element(const HostBatch& batch, std::int32_t element) {
   ++num_elements_;
   const ElementRecord& record = batch.records[element];
   const double unit = simulation_.scaling.energy();
-  if (batch.elements[element].source_slot == none) initial_ += unit * record.inflow_energy;
+  initial_ += unit * record.initial_energy;
   external_work_ += unit * record.external_work;
   numerical_ += unit * record.dissipation;
   EnergyFlow flow;

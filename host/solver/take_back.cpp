@@ -10,8 +10,8 @@ void take_back(const HostBatch& batch, const SpaceMesh& mesh, Front& front, Cell
   for (std::size_t e = 0; e < batch.cells.size(); ++e) {
     const ElementDescriptor& element = batch.elements[e];
     const int cell = batch.cells[e];
-    sources.slot[cell] = element.source_slot;
-    sources.pole[cell] = element.source_pole;
+    sources.slot[cell] = element.source_slot[mesh.dimension + 1];
+    sources.facet[cell] = element.source_facet[mesh.dimension + 1];
     times[mesh.cells[cell][element.pole]] = element.corner[element.pole][mesh.dimension];
   }
   front.set_times(times);

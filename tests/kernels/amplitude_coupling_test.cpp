@@ -70,7 +70,7 @@ class Coupling {
 
  private:
   AmplitudeSystem system() const {
-    AmplitudeSystem view;
+    AmplitudeSystem view{};
     view.num_elements = num_elements_;
     view.amplitudes_per_port = per_port_;
     view.max_amplitudes = 2 * per_port_;

@@ -16,9 +16,7 @@ namespace {
 template <int D>
 TentBatch solved_together(TentBatch batch, int lanes) {
   const ReferenceTables tables(batch.dimension, batch.degree);
-  int largest = 0;
-  for (const PatchDescriptor& patch : batch.patches) largest = std::max(largest, int(patch.num_elements));
-  std::vector<double> scratch(patch_scratch_size(tables.view(), largest, lanes));
+  std::vector<double> scratch(patch_scratch_size(tables.view(), batch.patches, lanes));
   const PatchBatch view = batch.view();
 #pragma omp parallel num_threads(lanes)
   {

@@ -7,6 +7,7 @@ namespace tentpole {
 DeviceTents::DeviceTents(const TentBatch& batch, const Device& device)
     : device_(device),
       tables_(batch.dimension, batch.degree),
+      host_patches_(batch.patches),
       table_block_(uploaded(tables_.block())),
       patches_(uploaded(batch.patches)),
       elements_(uploaded(batch.elements)),
@@ -14,9 +15,10 @@ DeviceTents::DeviceTents(const TentBatch& batch, const Device& device)
       materials_(uploaded(batch.materials)),
       coefficients_(uploaded(batch.coefficients)),
       inverse_jacobians_(uploaded(batch.inverse_jacobians)),
-      records_(uploaded(batch.records)) {
-  for (const PatchDescriptor& patch : batch.patches) largest_patch_ = std::max(largest_patch_, int(patch.num_elements));
-}
+      records_(uploaded(batch.records)),
+      fracture_law_(batch.fracture_law),
+      fracture_facets_(uploaded(batch.fracture_facets)),
+      fracture_records_(uploaded(batch.fracture_records)) {}
 
 PatchBatch DeviceTents::view() {
   PatchBatch view{};
@@ -29,6 +31,9 @@ PatchBatch DeviceTents::view() {
   view.coefficients = coefficients_.pointer();
   view.inverse_jacobians = inverse_jacobians_.pointer();
   view.records = records_.pointer();
+  view.fracture_law = fracture_law_;
+  view.fracture_facets = fracture_facets_.pointer();
+  view.fracture_records = fracture_records_.pointer();
   return view;
 }
 
@@ -36,7 +41,7 @@ void DeviceTents::solve(PatchSolverShape shape) {
   PatchSolverTask task{};
   task.batch = view();
   task.tables = tables();
-  task.scratch_stride = patch_scratch_size(task.tables, largest_patch_, shape.lanes);
+  task.scratch_stride = patch_scratch_size(task.tables, host_patches_, shape.lanes);
   DeviceBuffer<double> scratch(device_, traffic_, task.scratch_stride * shape.workers);
   DeviceBuffer<StageCycles> cycles = uploaded(std::vector<StageCycles>(shape.workers));
   task.scratch = scratch.pointer();
@@ -53,6 +58,7 @@ void DeviceTents::download(TentBatch& batch) {
   coefficients_.download(batch.coefficients);
   inverse_jacobians_.download(batch.inverse_jacobians);
   if (!batch.records.empty()) records_.download(batch.records);
+  if (!batch.fracture_records.empty()) fracture_records_.download(batch.fracture_records);
 }
 
 TentBatch solved(TentBatch batch, const Device& device, PatchSolverShape shape) {

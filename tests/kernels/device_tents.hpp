@@ -33,7 +33,7 @@ class DeviceTents {
   Device device_;
   TrafficCounters traffic_;
   ReferenceTables tables_;
-  int largest_patch_ = 0;
+  std::vector<PatchDescriptor> host_patches_;
   DeviceBuffer<double> table_block_;
   DeviceBuffer<PatchDescriptor> patches_;
   DeviceBuffer<ElementDescriptor> elements_;
@@ -42,6 +42,9 @@ class DeviceTents {
   DeviceBuffer<double> coefficients_;
   DeviceBuffer<double> inverse_jacobians_;
   DeviceBuffer<ElementRecord> records_;
+  FractureLaw fracture_law_;
+  DeviceBuffer<FractureFacet> fracture_facets_;
+  DeviceBuffer<FractureRecord> fracture_records_;
 };
 
 /// The solution of a copy of the batch.

@@ -23,7 +23,7 @@ CondensedShape shape_of(int num_unknowns, int num_amplitudes) {
   tables.dimension = 1;
   tables.num_unknowns = num_unknowns;
   tables.num_facet_modes = num_amplitudes;
-  return {tables, 1};
+  return {tables, PatchShape(tables, false), 1};
 }
 
 CondensedSystem random_system(int num_unknowns, int num_amplitudes, std::uint32_t seed) {

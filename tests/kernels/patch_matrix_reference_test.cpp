@@ -202,7 +202,7 @@ PatchEnergy solved_patch_energy(TentBatch& batch, int patch) {
     energy.below += front_energy(disc, below, material, [&](const reference::Row& barycentric) {
       return reference::state_below(disc, view, element, barycentric);
     });
-    const auto corners = reference::front_corners(D, element.pole);
+    const auto corners = reference::facet_corners(D, facet_table(element, D, element.pole));
     energy.above += front_energy(
         disc, reference::facet_covector(geometry, D, element.pole), material, [&](const reference::Row& barycentric) {
           const auto state =

@@ -79,12 +79,12 @@ TEST_P(PatchFailure, IsReportedForCornersThatAreNotNumbers) {
 }
 
 TEST_P(PatchFailure, IsReportedForDataThatAreNotNumbers) {
-  batch_.prescribed[spoiled_element().inflow_data] = std::numeric_limits<double>::quiet_NaN();
+  batch_.prescribed[spoiled_element().facet_data[GetParam() + 1]] = std::numeric_limits<double>::quiet_NaN();
   expect_status(Status::coupling_not_converged);
 }
 
 TEST_P(PatchFailure, IsReportedForDataThatAreInfinite) {
-  batch_.prescribed[spoiled_element().inflow_data] = std::numeric_limits<double>::infinity();
+  batch_.prescribed[spoiled_element().facet_data[GetParam() + 1]] = std::numeric_limits<double>::infinity();
   expect_status(Status::coupling_not_converged);
 }
 

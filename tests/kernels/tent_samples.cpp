@@ -80,7 +80,7 @@ class TentAppender {
     else
       append_initial_data(element, field);
     for (int facet = 0; facet <= D_; ++facet)
-      if (facet != element.pole && element.neighbor[facet] == none) append_boundary(element, facet, field);
+      if (element.facet_kind[facet] == FacetKind::boundary) append_boundary(element, facet, field);
     append_body_force(element, field);
     const Row exact = coefficients_of(element, field);
     batch_.exact.insert(batch_.exact.end(), exact.begin(), exact.end());
@@ -99,9 +99,13 @@ class TentAppender {
     }
     std::copy_n(element.corner[element.pole], D_, element.corner[D_ + 1]);
     element.corner[D_ + 1][D_] = tent_.top_time;
-    element.source_slot = element.source_pole = element.inflow_data = element.body_force_data = none;
-    std::fill(std::begin(element.neighbor), std::end(element.neighbor), none);
-    std::fill(std::begin(element.boundary_data), std::end(element.boundary_data), none);
+    element.body_force_data = none;
+    for (int facet = 0; facet <= D_ + 1; ++facet) {
+      element.facet_kind[facet] = FacetKind::boundary;
+      element.neighbor[facet] = element.source_slot[facet] = element.facet_data[facet] = none;
+    }
+    element.facet_kind[D_ + 1] = FacetKind::inflow;
+    element.facet_kind[element.pole] = FacetKind::outflow;
     return element;
   }
 
@@ -119,6 +123,7 @@ class TentAppender {
       for (int other = 0; other < static_cast<int>(tent_.cells.size()); ++other)
         for (int other_facet = 0; other_facet <= D_ && other != cell; ++other_facet)
           if (facet_vertices(cell, facet) == facet_vertices(other, other_facet)) {
+            element.facet_kind[facet] = FacetKind::interior;
             element.neighbor[facet] = first_element_ + other;
             element.neighbor_facet[facet] = static_cast<std::uint8_t>(other_facet);
           }
@@ -152,15 +157,15 @@ class TentAppender {
     source.pole = std::uniform_int_distribution<int>(0, D_)(generator_);
     std::copy_n(source.corner[source.pole], D_ + 1, source.corner[D_ + 1]);
     source.corner[source.pole][D_] -= std::uniform_real_distribution<double>(0.1, 0.4)(generator_);
-    element.source_pole = source.pole;
-    element.source_slot = append_slot(coefficients_of(source, field), &source);
+    element.source_facet[D_ + 1] = static_cast<std::uint8_t>(facet_table(source, D_, source.pole));
+    element.source_slot[D_ + 1] = append_slot(coefficients_of(source, field), &source);
   }
 
   int data_offset() const { return static_cast<int>(batch_.prescribed.size()); }
 
   void append_initial_data(ElementDescriptor& element, const PolynomialField& field) {
-    element.inflow_data = data_offset();
-    const std::vector<int> corners = front_corners(D_, D_ + 1);
+    element.facet_data[D_ + 1] = data_offset();
+    const std::vector<int> corners = facet_corners(D_, D_ + 1);
     for (int i = 0; i < D_; ++i)
       append_facet_modes(batch_, disc_, disc_.facet_basis, element, corners,
                          [&](const auto& point) { return field.velocity(i, point); });
@@ -196,19 +201,17 @@ class TentAppender {
       if (kind == BoundaryKind::velocity) return velocity;
       return kind == BoundaryKind::traction ? traction : traction + impedance * velocity;
     };
-    element.boundary_data[facet] = data_offset();
+    element.facet_data[facet] = data_offset();
     for (int i = 0; i < D_; ++i)
-      append_facet_modes(
-          batch_, disc_, disc_.facet_basis, element, vertical_corners(D_, facet), [&](const auto& point) {
-            const double shear_impedance = material.density * material.shear_speed();
-            double value = prescribed(element.tangential_kind[facet], shear_impedance, i, point);
-            for (int j = 0; j < D_; ++j)
-              value +=
-                  normal(i) * normal(j) *
-                  (prescribed(element.normal_kind[facet], material.density * material.dilatational_speed(), j, point) -
-                   prescribed(element.tangential_kind[facet], shear_impedance, j, point));
-            return value;
-          });
+      append_facet_modes(batch_, disc_, disc_.facet_basis, element, facet_corners(D_, facet), [&](const auto& point) {
+        const double shear_impedance = material.density * material.shear_speed();
+        double value = prescribed(element.tangential_kind[facet], shear_impedance, i, point);
+        for (int j = 0; j < D_; ++j)
+          value += normal(i) * normal(j) *
+                   (prescribed(element.normal_kind[facet], material.density * material.dilatational_speed(), j, point) -
+                    prescribed(element.tangential_kind[facet], shear_impedance, j, point));
+        return value;
+      });
   }
 
   void append_body_force(ElementDescriptor& element, const PolynomialField& field) {
@@ -244,6 +247,9 @@ PatchBatch TentBatch::view() {
   batch.coefficients = coefficients.data();
   batch.inverse_jacobians = inverse_jacobians.data();
   batch.records = records.data();
+  batch.fracture_law = fracture_law;
+  batch.fracture_facets = fracture_facets.data();
+  batch.fracture_records = fracture_records.data();
   return batch;
 }
 

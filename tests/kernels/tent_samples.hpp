@@ -24,7 +24,10 @@ struct TentBatch {
   std::vector<double> coefficients;       ///< [slot][num_unknowns]; NaN where a solver has to write
   std::vector<double> inverse_jacobians;  ///< [slot][(D + 1)^2]; NaN where a solver has to write
   std::vector<ElementRecord> records;     ///< [element], zero
-  std::vector<double> exact;              ///< [element][num_unknowns], of the polynomial; meaningless where homogeneous
+  FractureLaw fracture_law{};
+  std::vector<FractureFacet> fracture_facets;
+  std::vector<FractureRecord> fracture_records;  ///< [fracture facet], zero
+  std::vector<double> exact;  ///< [element][num_unknowns], of the polynomial; meaningless where homogeneous
 
   int num_basis() const { return num_polynomials(dimension + 1, degree); }
   int num_unknowns() const { return dimension * num_basis(); }

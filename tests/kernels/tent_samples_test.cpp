@@ -58,7 +58,7 @@ TEST(TentSamples, NeighborsShareTheirFacetCornerByCorner) {
       const ElementDescriptor& element = batch.elements[e];
       for (int facet = 0; facet <= dimension; ++facet) {
         if (facet == element.pole) continue;
-        if (element.neighbor[facet] == none) {
+        if (element.facet_kind[facet] == FacetKind::boundary) {
           ++num_boundary;
           continue;
         }
@@ -66,8 +66,8 @@ TEST(TentSamples, NeighborsShareTheirFacetCornerByCorner) {
         const ElementDescriptor& neighbor = batch.elements[element.neighbor[facet]];
         EXPECT_EQ(neighbor.neighbor[element.neighbor_facet[facet]], e);
         EXPECT_EQ(neighbor.neighbor_facet[element.neighbor_facet[facet]], facet);
-        const auto own = vertical_corners(dimension, facet);
-        const auto other = vertical_corners(dimension, element.neighbor_facet[facet]);
+        const auto own = facet_corners(dimension, facet);
+        const auto other = facet_corners(dimension, element.neighbor_facet[facet]);
         for (int c = 0; c <= dimension; ++c)
           for (int j = 0; j <= dimension; ++j) EXPECT_EQ(element.corner[own[c]][j], neighbor.corner[other[c]][j]);
       }
@@ -121,7 +121,7 @@ TEST(TentSamples, TheStateBelowIsThePolynomialOfTheElement) {
       const ElementDescriptor& element = batch.elements[e];
       const Row barycentric = facet_barycentric(disc, 1);
       const PointState below = state_below(disc, batch.view(), element, barycentric);
-      const Row xi = element_point(barycentric, front_corners(dimension, dimension + 1));
+      const Row xi = element_point(barycentric, facet_corners(dimension, dimension + 1));
       const PointState own = evaluate(
           point_state(disc, element_geometry(element, dimension).inverse, batch.materials[element.material], xi),
           &batch.exact[e * disc.num_unknowns]);
