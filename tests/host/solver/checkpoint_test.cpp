@@ -195,9 +195,9 @@ void put_bytes(const fs::path& file, const std::string& bytes) {
 
 bool equal(const CheckpointContents& a, const CheckpointContents& b) {
   return a.settings == b.settings && a.front_times == b.front_times && a.cell_element == b.cell_element &&
-         a.cell_pole == b.cell_pole && a.coefficients == b.coefficients && a.inverse_jacobians == b.inverse_jacobians &&
-         a.ledger == b.ledger && a.recorder == b.recorder && a.history == b.history &&
-         a.stage_seconds == b.stage_seconds && a.run_counts == b.run_counts;
+         a.cell_facet == b.cell_facet && a.coefficients == b.coefficients &&
+         a.inverse_jacobians == b.inverse_jacobians && a.ledger == b.ledger && a.recorder == b.recorder &&
+         a.history == b.history && a.stage_seconds == b.stage_seconds && a.run_counts == b.run_counts;
 }
 
 TEST_F(RefusedCheckpoint, WithADamagedByteIsNeverReadAsAnotherState) {

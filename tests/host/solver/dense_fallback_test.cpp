@@ -44,7 +44,8 @@ void after_some_batches(const Simulation& simulation, const Inspect& inspect) {
 std::vector<std::int32_t> source_slots(const HostBatch& batch, const PatchDescriptor& patch) {
   std::vector<std::int32_t> slots;
   for (int e = patch.first_element; e < patch.first_element + patch.num_elements; ++e)
-    if (batch.elements[e].source_slot != none) slots.push_back(batch.elements[e].source_slot);
+    for (const std::int32_t slot : batch.elements[e].source_slot)
+      if (slot != none) slots.push_back(slot);
   return slots;
 }
 
