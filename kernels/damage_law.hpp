@@ -50,9 +50,11 @@ inline double integrate_damage_panel(const FractureLaw& law, double duration, in
     if (drive < lowest) lowest = drive;
   }
   const double slope = num_points > 1 ? moment / square / duration : 0;
-  const double start = mean - slope * duration / 2, lag = slope / rate;
+  const double start = mean - slope * duration / 2;
+  // Of expm1, so that panels far shorter than the relaxation time lose no digits.
   const auto relaxed = [&](double time) {
-    return start + slope * time - lag + (q_start - start + lag) * exp(-rate * time);
+    const double part = -expm1(-rate * time);
+    return start * part + q_start * exp(-rate * time) + slope * (time - part / rate);
   };
   double q = q_start;
   for (int p = 0; p <= num_points; ++p) {

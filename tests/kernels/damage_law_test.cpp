@@ -71,6 +71,16 @@ TEST(DamageLaw, NeverShrinksAndNeverPassesTheLargestTarget) {
   }
 }
 
+TEST(DamageLaw, PanelsFarShorterThanTheRelaxationTimeLoseNoDigits) {
+  FractureLaw slow = law;
+  slow.relaxation_time = 1e12;
+  const double abscissa[] = {0.1, 0.5, 0.9}, weight[] = {0.3, 0.4, 0.3}, target[] = {0.2, 0.5, 0.9};
+  double damage[3];
+  const double q = integrate_damage_panel(slow, 1, 3, abscissa, weight, target, std::exp(-1.0), damage);
+  EXPECT_NEAR(q, std::exp(-1.0), 1e-11);
+  for (const double value : damage) EXPECT_NEAR(value, 0.1, 1e-11);
+}
+
 TEST(DamageLaw, ARampConvergesToAFineIntegrationWithOrderTwoAtLeast) {
   const auto target = [](double time) { return std::min(1.0, time / 3) * std::min(1.0, time / 3); };
   const double fine = damage_history(4.0 / 16384, 16384, 3, 0, target).back();
