@@ -81,8 +81,7 @@ inline void add_exchanged(const AmplitudeSystem& system, const double* from, dou
     double* target = to + link * system.amplitudes_per_port;
     for (int entry = 0; entry < system.amplitudes_per_port; ++entry) target[entry] += from[source + entry];
   }
-  for (int f = lanes.first(); f < system.num_fractures; f += lanes.count())
-    add_through_fracture(system.fractures[f], from, to);
+  for (int f = 0; f < system.num_fractures; ++f) add_through_fracture(system.fractures[f], from, to, lanes);
   lanes.synchronize();
 }
 

@@ -9,9 +9,20 @@ namespace tentpole {
 /// How the debonded part of a fracture facet bears load at a point.
 enum class ContactMode : int { open = 0, stick = 1, slip = 2 };
 
+/// Mode of a point, and for slip the sign of the intact tangential traction, which is the direction in which friction
+/// acts; 0 where nothing presses.
+struct ContactState {
+  ContactMode mode;
+  double direction;
+
+  bool operator==(const ContactState& other) const {
+    return mode == other.mode && (mode != ContactMode::slip || direction == other.direction);
+  }
+};
+
 /// s* = M s0 at a point, in the components (normal, tangential) of the frame: the bonded part 1 - D carries the intact
 /// traction, the debonded part D nothing (open), the same (stick), or the normal part and the friction that it allows
-/// (slip, against `direction` = sign of the intact tangential traction).
+/// (slip).
 struct TractionMap {
   double normal;      ///< s*_n / s0_n
   double tangential;  ///< s*_t / s0_t
@@ -19,25 +30,42 @@ struct TractionMap {
 };
 
 /// D = 1 has no tangential component. `normal_sign`: the own normal of side 0 is normal_sign times the frame's.
-inline TractionMap traction_map(const FractureLaw& law, ContactMode mode, double damage, double direction,
+inline TractionMap traction_map(const FractureLaw& law, const ContactState& contact, double damage,
                                 double normal_sign) {
-  switch (mode) {
+  switch (contact.mode) {
     case ContactMode::open:
       return {1 - damage, 1 - damage, 0};
     case ContactMode::stick:
       return {1, 1, 0};
     default:
-      return {1, 1 - damage, -damage * law.friction * direction * normal_sign};
+      return {1, 1 - damage, -damage * law.friction * contact.direction * normal_sign};
   }
 }
 
-/// Open while the sides are apart, or where the bond would be in tension; otherwise stuck while friction holds.
-/// Tolerances (scaled units, stress rho0 c0^2, length h0) keep rounding from opening a surface that merely touches.
+/// What counts as no opening and as no tension.
+struct ContactTolerance {
+  double gap;
+  double tension;
+};
+
+/// Tension: 1 % of the strength. A wave front of degree k >= 2 overshoots by 2 to 4 % of its height ahead of itself,
+/// and rounding alone has a sign; neither may open a surface that touches. The tension that a closed crack can then
+/// carry is below the accuracy of damage itself (half a percent and more). Gap: what the strength opens during a
+/// millionth of the tent's height, far below the distance of points and far above rounding.
+///   normal_compliance: 1 / Z_0 + 1 / Z_1 of the normal components; height: of the tent pole.
+inline ContactTolerance contact_tolerance(const FractureLaw& law, double normal_compliance, double height) {
+  return {1e-6 * law.strength * normal_compliance * height, 0.01 * law.strength};
+}
+
+/// Open while the sides are apart, or where the bond would be in tension; otherwise stuck while friction holds
+/// (Amontons and Coulomb).
 ///   normal, tangential: intact traction on the own normal of side 0 (tension positive).
-inline ContactMode contact_mode(const FractureLaw& law, double gap, double normal, double tangential) {
-  constexpr double gap_tolerance = 1e-10, traction_tolerance = 1e-12;
-  if (gap > gap_tolerance || normal > traction_tolerance) return ContactMode::open;
-  return fabs(tangential) <= law.friction * fabs(normal) ? ContactMode::stick : ContactMode::slip;
+inline ContactState contact_state(const FractureLaw& law, const ContactTolerance& tolerance, double gap, double normal,
+                                  double tangential) {
+  if (gap > tolerance.gap || normal > tolerance.tension) return {ContactMode::open, 0};
+  const double pressure = normal < 0 ? -normal : 0;
+  if (fabs(tangential) <= law.friction * pressure) return {ContactMode::stick, 0};
+  return {ContactMode::slip, normal < 0 ? (tangential < 0 ? -1.0 : 1.0) : 0.0};
 }
 
 }  // namespace tentpole

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernels/simd.hpp"
+
 namespace tentpole {
 
 /// How waves pass a fracture facet (docs/formulation.md, Fracture facets). Both sides emit o = Z v - s and take in a =
@@ -16,34 +18,38 @@ struct FractureLink {
   double measure;                       ///< |F|
   double normal_sign;                   ///< the own outward normal of side 0 is normal_sign times the frame's
   double impedance[2][max_components];  ///< [side][c]
-  const double* map;                    ///< W: [c][c'][m][m']
-  double* intact;                       ///< scratch [c][m]
+  const double* map;                    ///< W, [(c, m)][(c', m')]
+  double* intact;                       ///< scratch [(c, m)]: sqrt(|F|) s0 of side 0
 
-  /// sqrt(|F|) s0 of side 0 at component c and mode m, from the outgoing amplitudes.
-  double intact_amplitude(const double* outgoing, int c, int m) const {
-    const double z0 = impedance[0][c], z1 = impedance[1][c];
-    const double own = outgoing[first[0] + c * num_modes + m], other = outgoing[first[1] + c * num_modes + m];
-    return (z0 * sqrt(2 * z1) * other - z1 * sqrt(2 * z0) * own) / (z0 + z1);
-  }
+  int size() const { return num_components * num_modes; }
+  /// 1 / Z_0 + 1 / Z_1: v*_1 - v*_0 = (1 / Z_0 + 1 / Z_1) (s0 - s*) on side 0's normal.
+  double compliance(int c) const { return 1 / impedance[0][c] + 1 / impedance[1][c]; }
 };
 
+/// The intact traction of side 0 in modes, from the outgoing amplitudes, into link.intact.
+template <class Lanes>
+inline void load_intact_traction(const FractureLink& link, const double* outgoing, const Lanes& lanes) {
+  for (int entry = lanes.first(); entry < link.size(); entry += lanes.count()) {
+    const int c = entry / link.num_modes;
+    const double z0 = link.impedance[0][c], z1 = link.impedance[1][c];
+    const double own = outgoing[link.first[0] + entry], other = outgoing[link.first[1] + entry];
+    link.intact[entry] = (z0 * sqrt(2 * z1) * other - z1 * sqrt(2 * z0) * own) / (z0 + z1);
+  }
+  lanes.synchronize();
+}
+
 /// to += E from on the two ports of a fracture facet.
-inline void add_through_fracture(const FractureLink& link, const double* from, double* to) {
-  const int num_modes = link.num_modes;
-  for (int c = 0; c < link.num_components; ++c)
-    for (int m = 0; m < num_modes; ++m) link.intact[c * num_modes + m] = link.intact_amplitude(from, c, m);
-  for (int c = 0; c < link.num_components; ++c)
-    for (int m = 0; m < num_modes; ++m) {
-      double target = 0;
-      for (int other = 0; other < link.num_components; ++other) {
-        const double* row = link.map + ((c * link.num_components + other) * num_modes + m) * num_modes;
-        for (int n = 0; n < num_modes; ++n) target += row[n] * link.intact[other * num_modes + n];
-      }
-      for (int side = 0; side < 2; ++side) {
-        const int entry = link.first[side] + c * num_modes + m;
-        to[entry] += from[entry] + (side == 0 ? 2 : -2) * target / sqrt(2 * link.impedance[side][c]);
-      }
+template <class Lanes>
+inline void add_through_fracture(const FractureLink& link, const double* from, double* to, const Lanes& lanes) {
+  load_intact_traction(link, from, lanes);
+  for (int entry = lanes.first(); entry < link.size(); entry += lanes.count()) {
+    const double target = dot(link.map + static_cast<long>(entry) * link.size(), link.intact, link.size());
+    for (int side = 0; side < 2; ++side) {
+      const int at = link.first[side] + entry;
+      const double traction = side == 0 ? target : -target;
+      to[at] += from[at] + 2 * traction / sqrt(2 * link.impedance[side][entry / link.num_modes]);
     }
+  }
 }
 
 }  // namespace tentpole

@@ -5,71 +5,49 @@
 
 namespace tentpole {
 
-/// Intact traction at a point on the own normal of side 0 (tension positive) and its tangential part.
-struct PointTraction {
-  double normal;
-  double tangential;
-};
-
+/// Integrates damage and gap up one line under the tractions of the last solution: next_damage and next_contact of its
+/// points and what the line reports. The gap, int (v*_1 - v*_0).n >= 0, is that of the last solution; a point's mode
+/// depends on the gap below it alone, so no point contradicts itself.
 template <int D>
-inline PointTraction intact_traction(const FractureWorkspace<D>& workspace, int num_modes, double normal_sign, int q) {
-  const double* psi = workspace.psi + static_cast<long>(q) * num_modes;
-  const double unit = 1 / sqrt(workspace.link->measure);
-  double component[2] = {};
-  for (int c = 0; c < D; ++c)
-    for (int m = 0; m < num_modes; ++m) component[c] += workspace.intact[c * num_modes + m] * psi[m];
-  return {unit * normal_sign * component[0], unit * component[1]};
-}
-
-/// Integrates damage and gap up one line under the intact traction of this round and updates its points. `relaxation`:
-/// 1, or less to damp; with `freeze` a point whose mode flips keeps the one it had.
-template <int D>
-inline LineChange integrate_line(const FractureFacet& facet, const FractureLaw& law, const ReferenceTablesView& tables,
-                                 const FractureWorkspace<D>& workspace, double normal_sign, int line, double relaxation,
-                                 bool freeze) {
-  const FractureLine& laid = workspace.lines[line];
-  const int per_panel = tables.num_panel_points, num_modes = tables.num_facet_modes;
-  const double duration = laid.duration / laid.num_panels;
-  const double compliance = 1 / workspace.link->impedance[0][0] + 1 / workspace.link->impedance[1][0];
-  LineChange change;
-  double q = exp(-law.delay_exponent * facet.damage[line]), gap = facet.gap[line];
-  for (int panel = 0; panel < laid.num_panels; ++panel) {
-    const int first = laid.first_point + panel * per_panel;
-    PointTraction traction[max_panel_points];
-    double target[max_panel_points], damage[max_panel_points], opening = 0;
+inline void integrate_line(const FractureFacet& facet, const FractureLaw& law, const ReferenceTablesView& tables,
+                           const ContactTolerance& tolerance, const FractureWorkspace<D>& workspace, int line_index) {
+  FractureLine& line = workspace.lines[line_index];
+  const FractureLink& link = *workspace.link;
+  const int per_panel = tables.num_panel_points;
+  const double duration = line.duration / line.num_panels;
+  double q = exp(-law.delay_exponent * facet.damage[line_index]), gap = facet.gap[line_index];
+  line.damage_change = line.traction_change = line.secant_product = line.secant_square = 0;
+  for (int panel = 0; panel < line.num_panels; ++panel) {
+    const int first = line.first_point + panel * per_panel;
+    double target[max_panel_points], damage[max_panel_points];
     for (int p = 0; p < per_panel; ++p) {
-      traction[p] = intact_traction<D>(workspace, num_modes, normal_sign, first + p);
-      const double effective = effective_traction(law, traction[p].normal, traction[p].tangential);
-      change.effective = effective > change.effective ? effective : change.effective;
-      target[p] = target_damage(law, effective);
+      const PointTraction traction = traction_at<D>(workspace, first + p);
+      target[p] = target_damage(law, effective_traction(law, link.normal_sign * traction.normal, traction.tangential));
     }
     q = integrate_damage_panel(law, duration, per_panel, tables.panel_point, tables.panel_weight, target, q, damage);
     for (int p = 0; p < per_panel; ++p) {
       FracturePoint& point = workspace.points[first + p];
-      const double step = damage[p] - point.damage;
-      change.damage = fabs(step) > change.damage ? fabs(step) : change.damage;
-      point.damage += relaxation * step;
-      const ContactMode mode = contact_mode(law, gap, traction[p].normal, traction[p].tangential);
-      const double direction = traction[p].tangential < 0 ? -1.0 : 1.0;
-      const bool flips =
-          static_cast<int>(mode) != point.mode || (mode == ContactMode::slip && direction != point.direction);
-      if (flips && point.damage > 0 && !point.is_frozen) {
-        ++change.modes;
-        point.is_frozen = freeze;
-      }
-      if (!point.is_frozen) {
-        point.mode = static_cast<int>(mode);
-        point.direction = direction;
-      }
-      const TractionMap map =
-          traction_map(law, static_cast<ContactMode>(point.mode), point.damage, point.direction, normal_sign);
-      opening += tables.panel_weight[p] * compliance * (1 - map.normal) * traction[p].normal;
+      const PointTraction traction = traction_at<D>(workspace, first + p);
+      const double normal = link.normal_sign * traction.normal;
+      point.next_damage = damage[p];
+      point.next_contact =
+          point.is_frozen ? point.contact : contact_state(law, tolerance, gap, normal, traction.tangential);
+      const TractionMap map = traction_map(law, point.contact, point.damage, link.normal_sign),
+                        next = traction_map(law, point.next_contact, point.next_damage, link.normal_sign);
+      const double step = point.next_damage - point.damage, difference = step - point.previous_step;
+      line.secant_product += point.weight * difference * step;
+      line.secant_square += point.weight * difference * difference;
+      line.damage_change = fmax(line.damage_change, fabs(step));
+      line.traction_change =
+          fmax(line.traction_change, fmax(fabs((next.normal - map.normal) * normal),
+                                          fabs((next.tangential - map.tangential) * traction.tangential +
+                                               (next.friction - map.friction) * traction.normal)));
+      gap += duration * tables.panel_weight[p] * link.compliance(0) * (1 - map.normal) * normal;
     }
-    gap += duration * opening;
+    gap = fmax(gap, 0.0);
   }
-  change.end_damage = -log(q) / law.delay_exponent;
-  change.end_gap = gap;
-  return change;
+  line.end_damage = -log(q) / law.delay_exponent;
+  line.end_gap = gap;
 }
 
 /// The link of one fracture facet: offsets, impedances, measure. Side s is element facet.element[s].
@@ -107,20 +85,89 @@ inline double pole_height(const PatchBatch& batch, const FractureFacet& facet) {
   return element.corner[D + 1][D] - element.corner[element.pole][D];
 }
 
-/// Lays out all fracture facets of a patch and starts from the damage on the old front.
+template <int D>
+inline ContactTolerance contact_tolerance_of(const PatchBatch& batch, const FractureFacet& facet,
+                                             const FractureLink& link) {
+  return contact_tolerance(batch.fracture_law, link.compliance(0), pole_height<D>(batch, facet));
+}
+
+/// Lays out all fracture facets of a patch with damage and contact of the old front, and builds their maps.
 template <int D, class Lanes>
 inline void prepare_fractures(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
                               const Lanes& lanes) {
+  const ReferenceTablesView& tables = workspace.tables;
   for (int local = lanes.first(); local < patch.num_fractures; local += lanes.count()) {
     const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
     link_fracture<D>(batch, patch, workspace, local);
-    lay_fracture_points<D>(facet, batch.fracture_law, workspace.tables, pole_height<D>(batch, facet),
-                           workspace.fracture(local));
+    lay_fracture_lines<D>(facet, batch.fracture_law, tables, pole_height<D>(batch, facet), workspace.fracture(local));
   }
   lanes.synchronize();
-  for (int local = 0; local < patch.num_fractures; ++local)
-    assemble_traction_map<D>(batch.fracture_law, workspace.tables, workspace.fracture(local).link->normal_sign,
-                             workspace.fracture(local), lanes);
+  for (int local = 0; local < patch.num_fractures; ++local) {
+    const FractureWorkspace<D> own = workspace.fracture(local);
+    const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
+    const double gap_tolerance = contact_tolerance_of<D>(batch, facet, *own.link).gap;
+    for (int line = lanes.first(); line < tables.num_lines; line += lanes.count())
+      lay_fracture_points<D>(facet, tables, line, gap_tolerance, own);
+    clear_fracture_padding<D>(tables, own, lanes);
+    lanes.synchronize();
+    assemble_traction_map<D>(batch.fracture_law, tables, own, lanes);
+  }
+}
+
+/// What one round changed, over all fracture facets of a patch.
+struct RoundChange {
+  double damage = 0;
+  double traction = 0;                           ///< in s*
+  double secant_product = 0, secant_square = 0;  ///< as in FractureLine
+};
+
+/// Damage and contact modes that follow from the waves `outgoing`; all lanes get the same change.
+template <int D, class Lanes>
+inline RoundChange integrate_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
+                                       const PatchWorkspace<D>& workspace, const double* outgoing, const Lanes& lanes) {
+  const ReferenceTablesView& tables = workspace.tables;
+  RoundChange change;
+  for (int local = 0; local < patch.num_fractures; ++local) {
+    const FractureWorkspace<D> own = workspace.fracture(local);
+    const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
+    load_intact_traction(*own.link, outgoing, lanes);
+    evaluate_tractions<D>(tables, own, lanes);
+    const ContactTolerance tolerance = contact_tolerance_of<D>(batch, facet, *own.link);
+    for (int line = lanes.first(); line < tables.num_lines; line += lanes.count())
+      integrate_line<D>(facet, batch.fracture_law, tables, tolerance, own, line);
+    lanes.synchronize();
+    for (int line = 0; line < tables.num_lines; ++line) {
+      change.secant_product += own.lines[line].secant_product;
+      change.secant_square += own.lines[line].secant_square;
+      change.damage = fmax(change.damage, own.lines[line].damage_change);
+      change.traction = fmax(change.traction, own.lines[line].traction_change);
+    }
+  }
+  return change;
+}
+
+/// Takes over the next damage, corrected by the secant of the last two rounds, and the next modes, and rebuilds the
+/// maps: D <- next D - secant (next D - next D of the round before). secant 0: as it is; with `freeze` a point whose
+/// mode flips keeps the one it has from now on.
+template <int D, class Lanes>
+inline void accept_round(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
+                         double secant, bool freeze, const Lanes& lanes) {
+  for (int local = 0; local < patch.num_fractures; ++local) {
+    const FractureWorkspace<D> own = workspace.fracture(local);
+    for (int q = lanes.first(); q < own.num_points(workspace.tables); q += lanes.count()) {
+      FracturePoint& point = own.points[q];
+      const double step = point.next_damage - point.damage;
+      const double damage =
+          point.next_damage - secant * (point.next_damage - point.previous_damage - point.previous_step);
+      point.previous_damage = point.damage;
+      point.previous_step = step;
+      point.damage = fmin(fmax(damage, 0.0), 1.0);
+      point.is_frozen = point.is_frozen || (freeze && !(point.next_contact == point.contact));
+      if (!point.is_frozen) point.contact = point.next_contact;
+    }
+    lanes.synchronize();
+    assemble_traction_map<D>(batch.fracture_law, workspace.tables, own, lanes);
+  }
 }
 
 /// Solves the amplitudes at the present maps: incoming = x, and the emitted waves y = t + T x into the product of the
@@ -137,110 +184,46 @@ inline int solve_amplitudes(const PatchWorkspace<D>& workspace, const AmplitudeS
   return iterations;
 }
 
-/// What one round changed, over all fracture facets.
-struct RoundChange {
-  double damage = 0;
-  int modes = 0;
+/// How the damage loop of a patch ended.
+struct DamageLoop {
+  int rounds = 0;
+  int iterations = 0;  ///< of the last coupling solution, or -1
+  bool has_converged = false;
 };
 
-/// One round of damage and contact under the waves of the last solution; rebuilds the maps.
-template <int D, class Lanes>
-inline RoundChange update_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
-                                    const PatchWorkspace<D>& workspace, const double* emitted, double relaxation,
-                                    bool freeze, const Lanes& lanes) {
-  const ReferenceTablesView& tables = workspace.tables;
-  RoundChange change;
-  for (int local = 0; local < patch.num_fractures; ++local) {
-    const FractureWorkspace<D> own = workspace.fracture(local);
-    const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
-    const FractureLink& link = *own.link;
-    for (int entry = lanes.first(); entry < D * link.num_modes; entry += lanes.count())
-      own.intact[entry] = link.intact_amplitude(emitted, entry / link.num_modes, entry % link.num_modes);
-    lanes.synchronize();
-    for (int line = lanes.first(); line < tables.num_lines; line += lanes.count())
-      own.line_changes[line] =
-          integrate_line<D>(facet, batch.fracture_law, tables, own, link.normal_sign, line, relaxation, freeze);
-    lanes.synchronize();
-    for (int line = 0; line < tables.num_lines; ++line) {
-      const LineChange& of_line = own.line_changes[line];
-      change.damage = of_line.damage > change.damage ? of_line.damage : change.damage;
-      change.modes += of_line.modes;
-    }
-  }
-  return change;
-}
-
-/// Fills the record of one fracture facet after the last round. Energies from the modes, so that the balance of the
-/// patch closes: int s*.(v*_1 - v*_0) = int s*.(Z_0^-1 + Z_1^-1)(s0 - s*) with s* = W s0.
-template <int D>
-inline void record_fracture(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                            int local, int rounds) {
-  const ReferenceTablesView& tables = workspace.tables;
-  const FractureWorkspace<D> own = workspace.fracture(local);
-  const FractureLink& link = *own.link;
-  const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
-  FractureRecord& record = batch.fracture_records[patch.first_fracture + local];
-  record = FractureRecord{};
-  record.rounds = rounds;
-  for (int line = 0; line < tables.num_lines; ++line) {
-    const LineChange& change = own.line_changes[line];
-    record.damage[line] = change.end_damage;
-    record.gap[line] = change.end_gap;
-    record.largest_damage_change = fmax(record.largest_damage_change, change.end_damage - facet.damage[line]);
-    record.largest_effective_traction = fmax(record.largest_effective_traction, change.effective);
-  }
-  const int num_modes = link.num_modes;
-  double work = 0;
-  for (int c = 0; c < D; ++c)
-    for (int m = 0; m < num_modes; ++m) {
-      double target = 0;
-      for (int other = 0; other < D; ++other)
-        for (int n = 0; n < num_modes; ++n)
-          target += own.map[((c * D + other) * num_modes + m) * num_modes + n] * own.intact[other * num_modes + n];
-      work += target * (1 / link.impedance[0][c] + 1 / link.impedance[1][c]) * (own.intact[c * num_modes + m] - target);
-    }
-  const int count = num_points(own.lines, tables.num_lines, tables.num_panel_points);
-  for (int q = 0; q < count; ++q) {
-    const FracturePoint& point = own.points[q];
-    ++record.mode_points[point.mode];
-    if (D == 1 || point.mode != static_cast<int>(ContactMode::slip)) continue;
-    const PointTraction traction = intact_traction<D>(own, num_modes, link.normal_sign, q);
-    const double friction = point.damage * batch.fracture_law.friction * fabs(traction.normal);
-    const double target = (1 - point.damage) * traction.tangential + friction * point.direction;
-    const double slip = (1 / link.impedance[0][D - 1] + 1 / link.impedance[1][D - 1]) * (traction.tangential - target);
-    record.friction_work += link.measure * point.weight * friction * point.direction * slip;
-  }
-  record.fracture_work = work - record.friction_work;
+/// Factor for accept_round that makes the sum of squared steps least if they depended linearly on D (Anderson mixing of
+/// depth one, J. ACM 12 (1965) 547): 0 in the first round, and 0.3, a damping, where the change grew.
+inline double secant_factor(int round, const RoundChange& change, double last_change) {
+  constexpr double least = -2, largest = 0.7, damping = 0.3;
+  if (round == 1 || !(change.secant_square > 0)) return 0;
+  if (change.damage > last_change) return damping;
+  return fmin(fmax(change.secant_product / change.secant_square, least), largest);
 }
 
 /// The damage loop: with damage and contact modes frozen the patch is linear; solve, integrate, repeat until damage
-/// changes by less than 1e-10 and no mode flips. Damped where the changes shrink slowly; modes that still flip after 10
-/// rounds stay. The last maps are those of the last solution. Returns the iterations of the last solution, -1 where it
-/// or the loop did not converge.
+/// changes by less than 1e-10 and tractions by less than 1e-10 of the strength. Plain repetition gains a digit a round
+/// and stalls where loads are just above the threshold; the secant halves the rounds and needs no more than 22 for
+/// tents of ten relaxation times. Modes that still flip after 10 rounds stay as they are. The maps at the end are those
+/// of the last solution.
 template <int D, class Lanes>
-inline int solve_fractures(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                           const AmplitudeSystem& system, Status& status, const Lanes& lanes) {
-  constexpr int max_rounds = 30, settled = 10;
+inline DamageLoop solve_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
+                                  const PatchWorkspace<D>& workspace, const AmplitudeSystem& system,
+                                  const Lanes& lanes) {
+  constexpr int max_rounds = 30, flipping_rounds = 10;
   constexpr double tolerance = 1e-10;
   const double* emitted = CouplingScratch::at(workspace.coupling(), system.size()).product;
-  double last_change = 1, relaxation = 1;
-  for (int round = 1; round <= max_rounds; ++round) {
-    const int iterations = solve_amplitudes(workspace, system, lanes);
-    const RoundChange change = update_fractures(batch, patch, workspace, emitted, relaxation, round >= settled, lanes);
-    if (change.damage < tolerance && change.modes == 0) {
-      for (int local = lanes.first(); local < patch.num_fractures; local += lanes.count())
-        record_fracture<D>(batch, patch, workspace, local, round);
-      lanes.synchronize();
-      return iterations;
-    }
-    if (round > 2 && change.damage > 0.4 * last_change) relaxation = 0.7;
+  DamageLoop loop;
+  double last_change = 0;
+  while (true) {
+    ++loop.rounds;
+    loop.iterations = solve_amplitudes(workspace, system, lanes);
+    const RoundChange change = integrate_fractures<D>(batch, patch, workspace, emitted, lanes);
+    loop.has_converged = change.damage < tolerance && change.traction < tolerance * batch.fracture_law.strength;
+    if (loop.has_converged || loop.rounds == max_rounds) return loop;
+    accept_round<D>(batch, patch, workspace, secant_factor(loop.rounds, change, last_change),
+                    loop.rounds >= flipping_rounds, lanes);
     last_change = change.damage;
-    for (int local = 0; local < patch.num_fractures; ++local)
-      assemble_traction_map<D>(batch.fracture_law, workspace.tables, workspace.fracture(local).link->normal_sign,
-                               workspace.fracture(local), lanes);
   }
-  status = Status::damage_not_converged;
-  return -1;
 }
 
 }  // namespace tentpole

@@ -114,6 +114,7 @@ struct FractureRecord {
   double largest_effective_traction;
   std::int32_t rounds;          ///< of the damage loop
   std::int32_t mode_points[3];  ///< points in open, sticking, slipping mode
+  std::int32_t status;          ///< Status of the patch; the rest is zero where it could not be solved
 };
 
 /// What comes back for each element. Energies in scaled units; E = int 1/2 w^T A_N w.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "kernels/inclined_facet.reference.hpp"
 #include "kernels/point_state.reference.hpp"
@@ -48,7 +49,7 @@ Rows facet_frame(const Vector& covector, double area, int dimension) {
 class ElementTerms {
  public:
   ElementTerms(const Discretization& disc, const PatchBatch& batch, const PatchDescriptor& patch, int element,
-               DensePatch& system)
+               std::span<const FrozenFracture> fractures, DensePatch& system)
       : disc_(disc),
         D_(disc.dimension),
         batch_(batch),
@@ -57,6 +58,7 @@ class ElementTerms {
         material_(batch.materials[element_.material]),
         geometry_(element_geometry(element_, disc.dimension)),
         offset_(offset_of(element)),
+        fractures_(fractures),
         system_(system) {}
 
   void add_volume() {
@@ -125,15 +127,16 @@ class ElementTerms {
   int offset_of(int element) const { return (element - first_element_) * disc_.num_unknowns; }
 
   /// Fields of this element at point q of a facet that lists its corners ascending.
-  PointState state_on(int facet, int q) const {
-    return point_state(disc_, geometry_.inverse, material_,
-                       element_point(facet_barycentric(disc_, q), facet_corners(D_, facet)));
+  PointState state_on(int facet, int q) const { return state_on(facet, facet_barycentric(disc_, q)); }
+  PointState state_on(int facet, const Row& barycentric) const {
+    return point_state(disc_, geometry_.inverse, material_, element_point(barycentric, facet_corners(D_, facet)));
   }
   /// Fields of the neighbour there.
-  PointState state_beyond(int facet, int q) const {
+  PointState state_beyond(int facet, int q) const { return state_beyond(facet, facet_barycentric(disc_, q)); }
+  PointState state_beyond(int facet, const Row& barycentric) const {
     const ElementDescriptor& other = batch_.elements[element_.neighbor[facet]];
     return point_state(disc_, element_geometry(other, D_).inverse, batch_.materials[other.material],
-                       element_point(facet_barycentric(disc_, q), facet_corners(D_, element_.neighbor_facet[facet])));
+                       element_point(barycentric, facet_corners(D_, element_.neighbor_facet[facet])));
   }
 
   /// moments += weight times the mean over the facet of mode . u.
@@ -153,6 +156,7 @@ class ElementTerms {
     for (int j = 0; j < D_; ++j) area += covector[j] * covector[j];
     area = std::sqrt(area);
     const Rows frame = facet_frame(covector, area, D_);
+    if (element_.facet_kind[facet] == FacetKind::fracture) return add_fracture(facet, area, frame);
     for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
       const double weight = area * disc_.facet_rule.weights[q];
       if (element_.facet_kind[facet] == FacetKind::boundary)
@@ -255,6 +259,42 @@ class ElementTerms {
     }
   }
 
+  /// Fracture facet: K -= (v^ + Z^-1 s^) . (M s0 - s) at its own points, with s0 = (Z_e s_i + Z_i s_e + Z_i Z_e (v_e -
+  /// v_i)) / (Z_i + Z_e) in components, all tractions on the own outward normal.
+  void add_fracture(int facet, double area, const Rows& frame) {
+    const std::size_t index = element_.facet_data[facet];
+    if (index >= fractures_.size()) throw std::invalid_argument("fracture facet without frozen damage");
+    const int neighbor = element_.neighbor[facet];
+    const Material& other_material = batch_.materials[batch_.elements[neighbor].material];
+    for (const FrozenPoint& point : fractures_[index]) {
+      const PointState own = state_on(facet, point.barycentric), other = state_beyond(facet, point.barycentric);
+      for (int c = 0; c < D_; ++c) {
+        const Row traction = component_of_traction(own, frame, c);
+        const Row test = sum(1, component(own.velocity, frame[c]), 1 / impedance_of(material_, c), traction);
+        add_matrix(area * point.weight, test, traction, offset_);
+        for (int b = 0; b < D_; ++b) {
+          const double z = impedance_of(material_, b), other_z = impedance_of(other_material, b);
+          const double factor = -area * point.weight * map_component(point, frame[c], frame[b]) / (z + other_z);
+          add_matrix(
+              factor, test,
+              sum(other_z, component_of_traction(own, frame, b), -z * other_z, component(own.velocity, frame[b])),
+              offset_);
+          add_matrix(factor, test,
+                     sum(z, component_of_traction(other, frame, b), z * other_z, component(other.velocity, frame[b])),
+                     offset_of(neighbor));
+        }
+      }
+    }
+  }
+
+  /// left . M right
+  double map_component(const FrozenPoint& point, const Row& left, const Row& right) const {
+    double value = 0;
+    for (int i = 0; i < D_; ++i)
+      for (int j = 0; j < D_; ++j) value += left[i] * point.map[i * D_ + j] * right[j];
+    return value;
+  }
+
   /// Z = rho c_p along the normal, rho c_s across.
   static double impedance_of(const Material& material, int c) {
     return material.density * (c == 0 ? material.dilatational_speed() : material.shear_speed());
@@ -286,12 +326,14 @@ class ElementTerms {
   const Material& material_;
   Geometry geometry_;
   int offset_;
+  std::span<const FrozenFracture> fractures_;
   DensePatch& system_;
 };
 
 }  // namespace
 
-DensePatch reference_patch_system(const PatchBatch& batch, int dimension, int degree, int patch, double kappa) {
+DensePatch reference_patch_system(const PatchBatch& batch, int dimension, int degree, int patch, double kappa,
+                                  std::span<const FrozenFracture> fractures) {
   const Discretization disc(dimension, degree);
   const PatchDescriptor& descriptor = batch.patches[patch];
   DensePatch system;
@@ -299,7 +341,7 @@ DensePatch reference_patch_system(const PatchBatch& batch, int dimension, int de
   system.matrix.assign(static_cast<std::size_t>(system.size) * system.size, 0.0);
   system.rhs.assign(system.size, 0.0);
   for (int e = 0; e < descriptor.num_elements; ++e) {
-    ElementTerms terms(disc, batch, descriptor, descriptor.first_element + e, system);
+    ElementTerms terms(disc, batch, descriptor, descriptor.first_element + e, fractures, system);
     terms.add_volume();
     terms.add_inflow();
     terms.add_rigid(kappa);

@@ -223,11 +223,17 @@ inline void post_process(const PatchBatch& batch, const ReferenceTablesView& tab
   lanes.synchronize();
 }
 
+/// Empty records with a status for all elements and fracture facets of a patch.
 template <class Lanes>
 inline void mark_failed(const PatchBatch& batch, const PatchDescriptor& patch, Status status, const Lanes& lanes) {
   for (int e = lanes.first(); e < patch.num_elements; e += lanes.count()) {
     ElementRecord& record = batch.records[patch.first_element + e];
     record = ElementRecord{};
+    record.status = static_cast<int>(status);
+  }
+  for (int f = lanes.first(); f < patch.num_fractures; f += lanes.count()) {
+    FractureRecord& record = batch.fracture_records[patch.first_fracture + f];
+    record = FractureRecord{};
     record.status = static_cast<int>(status);
   }
 }

@@ -2,7 +2,7 @@
 
 #include "kernels/cycle_counter.hpp"
 #include "kernels/eliminate.hpp"
-#include "kernels/fracture_loop.hpp"
+#include "kernels/fracture_record.hpp"
 #include "kernels/post_processing.hpp"
 
 namespace tentpole {
@@ -186,15 +186,16 @@ inline int solve_condensed(const PatchWorkspace<D>& workspace, const AmplitudeSy
   return iterations;
 }
 
-/// The same for a patch with fracture facets; leaves the maps of the last damage round in place.
+/// The same for a patch with fracture facets: the coupling is solved in rounds; leaves their last maps in place.
 template <int D, class Lanes>
-inline int solve_condensed_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
-                                     const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, Status& status,
-                                     const Lanes& lanes) {
+inline DamageLoop solve_condensed_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
+                                            const PatchWorkspace<D>& workspace, const AmplitudeSystem& system,
+                                            const Lanes& lanes) {
+  prepare_fractures<D>(batch, patch, workspace, lanes);
   condense_all<D>(workspace, system, lanes);
-  const int iterations = solve_fractures<D>(batch, patch, workspace, system, status, lanes);
+  const DamageLoop loop = solve_fractures<D>(batch, patch, workspace, system, lanes);
   recover_all<D>(workspace, system, lanes);
-  return iterations;
+  return loop;
 }
 
 /// The larger number; not a number if one of them is not (fmax would pass over it).
@@ -218,18 +219,25 @@ inline ScaledNorms scaled_norms(const ElementWorkspace<D>& own, int num_unknowns
   return norms;
 }
 
+/// The waves that the elements emit with their solutions.
+template <int D, class Lanes>
+inline void emit_all(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
+                     const AmplitudeSystem& system, const Lanes& lanes) {
+  for (int e = 0; e < patch.num_elements; ++e) {
+    const ElementWorkspace<D> own = workspace.element(e);
+    const Receivers<D> receivers = receivers_of<D>(patch, workspace, batch.elements[patch.first_element + e], *own.op);
+    emitted_amplitudes<D>(*own.op, receivers.rigid, workspace.tables, workspace.shape(own), own.solution,
+                          workspace.residual_scratch(), workspace.outgoing() + e * system.max_amplitudes, lanes);
+  }
+}
+
 /// Residuals of all elements with the amplitudes their neighbours really emit; fills the records. Returns the largest
 /// residual relative to the largest solution of the patch (both diagonally scaled).
 template <int D, class Lanes>
 inline double evaluate_patch(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
                              const AmplitudeSystem& system, const Lanes& lanes) {
   const ReferenceTablesView& tables = workspace.tables;
-  for (int e = 0; e < patch.num_elements; ++e) {
-    const ElementWorkspace<D> own = workspace.element(e);
-    const Receivers<D> receivers = receivers_of<D>(patch, workspace, batch.elements[patch.first_element + e], *own.op);
-    emitted_amplitudes<D>(*own.op, receivers.rigid, tables, workspace.shape(own), own.solution,
-                          workspace.residual_scratch(), workspace.outgoing() + e * system.max_amplitudes, lanes);
-  }
+  emit_all<D>(batch, patch, workspace, system, lanes);
   exchange_amplitudes(system, workspace.outgoing(), workspace.incoming(), lanes);
   double largest_residual = 0, largest_solution = 0;
   for (int e = 0; e < patch.num_elements; ++e) {
@@ -287,19 +295,14 @@ inline void solve_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
   }
   const long long condensed = cycle_counter();
   const AmplitudeSystem system = amplitude_system<D>(batch, patch, workspace, lanes);
-  int iterations = 0;
-  bool linear = true;
+  DamageLoop loop;
+  if (patch.num_fractures == 0) loop.iterations = solve_condensed<D>(workspace, system, lanes);
   if constexpr (D < 3)
     if (patch.num_fractures > 0) {
-      linear = false;
-      prepare_fractures<D>(batch, patch, workspace, lanes);
-      iterations = solve_condensed_fractures<D>(batch, patch, workspace, system, status, lanes);
+      loop = solve_condensed_fractures<D>(batch, patch, workspace, system, lanes);
+      if (!loop.has_converged) return mark_failed(batch, patch, Status::damage_not_converged, lanes);
     }
-  if (linear) iterations = solve_condensed<D>(workspace, system, lanes);
-  if (status != Status::ok) {
-    mark_failed(batch, patch, status, lanes);
-    return;
-  }
+  int iterations = loop.iterations;
   const long long solved = cycle_counter();
   cycles.solution += solved - condensed;
   double residual = evaluate_patch<D>(batch, patch, workspace, system, lanes);
@@ -309,6 +312,7 @@ inline void solve_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
   }
   if (!(residual <= residual_tolerance))
     status = iterations < 0 ? Status::coupling_not_converged : Status::residual_too_large;
+  if constexpr (D < 3) record_fractures<D>(batch, patch, workspace, loop.rounds, status, lanes);
   for (int e = 0; e < patch.num_elements; ++e) {
     const ElementWorkspace<D> own = workspace.element(e);
     post_process<D>(batch, tables, patch.first_element + e, *own.op, own.solution, own.inflow_data,
@@ -334,8 +338,16 @@ inline void check_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
       own.solution[unknown] = batch.coefficients[slot * tables.num_unknowns + unknown];
   }
   const AmplitudeSystem system = amplitude_system<D>(batch, patch, workspace, lanes);
+  if constexpr (D < 3)
+    if (patch.num_fractures > 0) {
+      prepare_fractures<D>(batch, patch, workspace, lanes);
+      emit_all<D>(batch, patch, workspace, system, lanes);
+      integrate_fractures<D>(batch, patch, workspace, workspace.outgoing(), lanes);
+      accept_round<D>(batch, patch, workspace, 0, false, lanes);
+    }
   const double residual = evaluate_patch<D>(batch, patch, workspace, system, lanes);
   const Status status = residual <= residual_tolerance ? Status::ok : Status::residual_too_large;
+  if constexpr (D < 3) record_fractures<D>(batch, patch, workspace, 0, status, lanes);
   for (int e = 0; e < patch.num_elements; ++e) {
     const ElementWorkspace<D> own = workspace.element(e);
     post_process<D>(batch, tables, patch.first_element + e, *own.op, own.solution, own.inflow_data,

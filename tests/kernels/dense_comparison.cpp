@@ -7,7 +7,6 @@
 #include <lapacke.h>
 
 #include "kernels/dense_patch_solve.hpp"
-#include "kernels/patch_matrix.reference.hpp"
 
 namespace tentpole {
 namespace {
@@ -39,13 +38,13 @@ double condition_of_scaled(const DensePatch& dense) {
 
 }  // namespace
 
-DenseComparison compare_with_dense(TentBatch& batch) {
+DenseComparison compare_with_dense(TentBatch& batch, const std::vector<FrozenFracture>& fractures) {
   DenseComparison result;
   DenseSolveScratch scratch;
   const int n = batch.num_unknowns();
   for (int p = 0; p < int(batch.patches.size()); ++p) {
     const PatchDescriptor& patch = batch.patches[p];
-    const DensePatch dense = reference_patch_system(batch.view(), batch.dimension, batch.degree, p);
+    const DensePatch dense = reference_patch_system(batch.view(), batch.dimension, batch.degree, p, 1, fractures);
     std::vector<double> solution(dense.size), difference(dense.size);
     double residual = 0, largest = 0, scale = 0;
     if (solve_dense_patch(dense.matrix, dense.rhs, solution, residual, scratch) != Status::ok)

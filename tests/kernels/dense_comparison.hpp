@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/patch_matrix.reference.hpp"
 #include "tests/kernels/tent_samples.hpp"
 
 namespace tentpole {
@@ -11,6 +12,7 @@ struct DenseComparison {
   double energy = 0;        ///< sqrt(e^T K e / c^T K c), e the difference: the norm that the method itself controls
   double condition = 0;     ///< estimate for the scaled matrix, infinity norm
 };
-DenseComparison compare_with_dense(TentBatch& batch);
+/// fractures: of every fracture facet of the batch.
+DenseComparison compare_with_dense(TentBatch& batch, const std::vector<FrozenFracture>& fractures = {});
 
 }  // namespace tentpole

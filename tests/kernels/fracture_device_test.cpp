@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "common/status.hpp"
+#include "kernels/solve_patch.hpp"
+#include "tests/kernels/cracked_tents.hpp"
+#include "tests/kernels/device_tents.hpp"
+
+namespace tentpole {
+namespace {
+
+/// Cracks that break, close and slide, in patches beside others that have none.
+TentBatch sample(int dimension, int degree, int num_patches) {
+  TentOptions options;
+  options.num_patches = num_patches;
+  const auto tents = [&](double pressure) {
+    return cracked_tents(dimension, degree, options, {0.3, 0}, 7 * dimension + degree, pressure);
+  };
+  TentBatch batch = tents(dimension == 1 ? -4 : 0.5);
+  batch.fracture_law = breaking_law(tents(-4), 0.3);
+  return batch;
+}
+
+void expect_equal(const TentBatch& left, const TentBatch& right) {
+  EXPECT_LT(difference_of_solutions(left, right), 1e-9);
+  ASSERT_EQ(left.fracture_records.size(), right.fracture_records.size());
+  for (std::size_t f = 0; f < left.fracture_records.size(); ++f) {
+    const FractureRecord &a = left.fracture_records[f], &b = right.fracture_records[f];
+    EXPECT_EQ(a.status, int(Status::ok));
+    EXPECT_EQ(b.status, int(Status::ok));
+    EXPECT_EQ(a.rounds, b.rounds);
+    for (int line = 0; line <= left.degree; ++line) {
+      EXPECT_NEAR(a.damage[line], b.damage[line], 1e-11);
+      EXPECT_NEAR(a.gap[line], b.gap[line], 1e-11);
+    }
+    EXPECT_NEAR(a.fracture_work, b.fracture_work, 1e-11);
+    EXPECT_NEAR(a.friction_work, b.friction_work, 1e-11);
+    EXPECT_NEAR(a.largest_effective_traction, b.largest_effective_traction, 1e-10);
+    for (int mode = 0; mode < 3; ++mode) EXPECT_EQ(a.mode_points[mode], b.mode_points[mode]);
+  }
+}
+
+class FractureOn : public testing::TestWithParam<int> {};
+
+TEST_P(FractureOn, AnyNumberOfThreadsGivesTheSameBits) {
+  const TentBatch batch = sample(GetParam(), 2, 20), expected = solved(batch),
+                  found = solved(batch, host_device(), {3, 1});
+  const auto equal = [](const auto& a, const auto& b) {
+    return std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+  };
+  EXPECT_TRUE(equal(found.coefficients, expected.coefficients));
+  EXPECT_TRUE(equal(found.records, expected.records));
+  EXPECT_TRUE(equal(found.fracture_records, expected.fracture_records));
+}
+
+/// Patches without fracture facets do not notice that others of their batch have some.
+TEST_P(FractureOn, OtherPatchesDoNotNotice) {
+  TentBatch cracked = sample(GetParam(), 2, 6), intact = without_cracks(cracked);
+  PatchDescriptor& first = cracked.patches[0];
+  for (int e = first.first_element; e < first.first_element + first.num_elements; ++e)
+    cracked.elements[e] = intact.elements[e];
+  first.num_fractures = 0;
+  const TentBatch found = solved(cracked), expected = solved(intact);
+  for (int e = first.first_element; e < first.first_element + first.num_elements; ++e)
+    EXPECT_EQ(std::memcmp(&found.records[e], &expected.records[e], sizeof(ElementRecord)), 0);
+}
+
+TEST_P(FractureOn, ADeviceEqualsTheHost) {
+  const std::vector<Device> devices = available_devices();
+  if (devices.empty()) GTEST_SKIP() << "no device in this build";
+  const bool is_virtual = devices.front().kind == DeviceKind::virtual_cpu;
+  for (int degree = 1; degree <= 4; ++degree) {
+    const TentBatch batch = sample(GetParam(), degree, 5);
+    expect_equal(solved(batch), solved(batch, devices.front(), {2, is_virtual ? 1 : 32}));
+  }
+}
+
+template <int D>
+TentBatch solved_together(TentBatch batch, int lanes) {
+  const ReferenceTables tables(batch.dimension, batch.degree);
+  std::vector<double> scratch(patch_scratch_size(tables.view(), batch.patches, lanes));
+  const PatchBatch view = batch.view();
+#pragma omp parallel num_threads(lanes)
+  {
+    const TeamLanes team{omp_get_thread_num(), omp_get_num_threads()};
+    StageCycles cycles;
+    for (int patch = 0; patch < view.num_patches; ++patch) {
+      solve_patch<D>(view, tables.view(), patch, scratch.data(), cycles, team);
+      team.synchronize();
+    }
+  }
+  return batch;
+}
+
+TEST_P(FractureOn, LanesThatShareAPatchEqualOneThread) {
+  for (int degree = 1; degree <= 3; ++degree) {
+    const TentBatch batch = sample(GetParam(), degree, 2), expected = solved(batch);
+    for (const int lanes : {2, 3})
+      expect_equal(expected, GetParam() == 1 ? solved_together<1>(batch, lanes) : solved_together<2>(batch, lanes));
+  }
+}
+
+/// Coefficients found by other means are judged with the damage that they cause.
+TEST_P(FractureOn, EvaluationRepeatsTheRecordsOfTheSolution) {
+  for (int degree = 1; degree <= 3; ++degree) {
+    const TentBatch expected = solved(sample(GetParam(), degree, 4));
+    TentBatch again = expected;
+    again.records.assign(again.records.size(), {});
+    again.fracture_records.assign(again.fracture_records.size(), {});
+    const ReferenceTables tables(again.dimension, again.degree);
+    evaluate_patches_host(again.view(), tables.view());
+    for (std::size_t e = 0; e < again.records.size(); ++e) {
+      EXPECT_EQ(again.records[e].status, int(Status::ok));
+      EXPECT_LT(again.records[e].residual, 1e-9);
+      EXPECT_NEAR(again.records[e].dissipation, expected.records[e].dissipation, 1e-9);
+    }
+    for (std::size_t f = 0; f < again.fracture_records.size(); ++f) {
+      EXPECT_NEAR(again.fracture_records[f].fracture_work, expected.fracture_records[f].fracture_work, 1e-9);
+      EXPECT_NEAR(again.fracture_records[f].damage[0], expected.fracture_records[f].damage[0], 1e-9);
+    }
+  }
+}
+
+/// No damage fits a law that is not a number. Cracked patches say so, those beside them are solved.
+TEST_P(FractureOn, APatchThatDoesNotSettleSaysSo) {
+  TentBatch batch = sample(GetParam(), 2, 6), intact = without_cracks(batch);
+  PatchDescriptor& sound = batch.patches[0];
+  for (int e = sound.first_element; e < sound.first_element + sound.num_elements; ++e)
+    batch.elements[e] = intact.elements[e];
+  sound.num_fractures = 0;
+  batch.fracture_law.strength = std::nan("");
+  batch = solved(batch);
+  int failed = 0;
+  for (const PatchDescriptor& patch : batch.patches) {
+    const Status expected = patch.num_fractures > 0 ? Status::damage_not_converged : Status::ok;
+    for (int e = patch.first_element; e < patch.first_element + patch.num_elements; ++e)
+      EXPECT_EQ(batch.records[e].status, int(expected));
+    for (int f = patch.first_fracture; f < patch.first_fracture + patch.num_fractures; ++f, ++failed)
+      EXPECT_EQ(batch.fracture_records[f].status, int(expected));
+  }
+  EXPECT_GT(failed, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, FractureOn, testing::Values(1, 2));
+
+}  // namespace
+}  // namespace tentpole
