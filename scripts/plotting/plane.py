@@ -184,7 +184,7 @@ def add_colour_bars(figure, scales, panels=None, places=None):
     """Colour bars of the energy and, with cracks, of the damage: beside `panels` or in the axes `places`."""
     bars = [(ScalarMappable(scales.energy_norm(), COLOUR_MAP), "max", f"strain energy density [{scales.energy_unit()[1]}]")]
     if scales.has_cracks:
-        bars.append((ScalarMappable(DAMAGE_NORM, DAMAGE_MAP), "max", "damage of cracks (black: failed)"))
+        bars.append((ScalarMappable(DAMAGE_NORM, DAMAGE_MAP), "max", "damage (black: failed)"))
     for index, (colours, extend, label) in enumerate(bars):
         room = {"cax": places[index]} if places else {"ax": panels, "aspect": 35, "pad": 0.015}
         bar = figure.colorbar(colours, extend=extend, label=label, **room)
