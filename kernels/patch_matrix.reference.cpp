@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/inclined_facet.reference.hpp"
 #include "kernels/point_state.reference.hpp"
 #include "kernels/rigid_modes.reference.hpp"
 
@@ -77,54 +78,103 @@ class ElementTerms {
     }
   }
 
-  void add_inflow(double kappa) {
-    const Vector covector = facet_covector(geometry_, D_, D_ + 1);
-    const std::vector<int> corners = facet_corners(D_, D_ + 1);
-    const std::vector<Rows> rigid = rigid_modes(disc_, element_);
-    Rows moments(rigid.size(), Row(disc_.num_unknowns, 0.0));  // of the rigid modes with the displacement
-    Row moments_below(rigid.size(), 0.0);
-    for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
-      const Row barycentric = facet_barycentric(disc_, q);
-      const PointState own = point_state(disc_, geometry_.inverse, material_, element_point(barycentric, corners));
-      const PointState below = state_below(disc_, batch_, element_, barycentric);
-      const double weight = disc_.facet_rule.weights[q];
-      add_flux_jump(weight, covector, own, below);
-      for (std::size_t r = 0; r < rigid.size(); ++r)
-        for (int i = 0; i < D_; ++i) {
-          for (int n = 0; n < disc_.num_unknowns; ++n)
-            moments[r][n] += weight * rigid[r][q][i] * own.displacement[i][n];
-          moments_below[r] += weight * rigid[r][q][i] * below.displacement[i][0];
-        }
-    }
-    for (std::size_t r = 0; r < rigid.size(); ++r) {
-      add_matrix(kappa * std::abs(covector[D_]), moments[r], moments[r], offset_);
-      add_rhs(kappa * std::abs(covector[D_]), moments[r], moments_below[r]);
+  void add_inflow() {
+    for (int facet = 0; facet <= D_ + 1; ++facet) {
+      if (element_.facet_kind[facet] != FacetKind::inflow) continue;
+      const Vector covector = facet_covector(geometry_, D_, facet);
+      for (int q = 0; q < disc_.facet_rule.num_points(); ++q)
+        add_flux_jump(disc_.facet_rule.weights[q], covector, state_on(facet, q),
+                      state_below(disc_, batch_, element_, facet, facet_barycentric(disc_, q)));
     }
   }
 
-  void add_vertical() {
-    for (int facet = 0; facet <= D_; ++facet) {
-      if (facet == element_.pole) continue;
-      const Vector covector = facet_covector(geometry_, D_, facet);
-      const std::vector<int> corners = facet_corners(D_, facet);
-      double area = 0;
-      for (int j = 0; j < D_; ++j) area += covector[j] * covector[j];
-      area = std::sqrt(area);
-      const Rows frame = facet_frame(covector, area, D_);
-      for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
-        const Row barycentric = facet_barycentric(disc_, q);
-        const PointState own = point_state(disc_, geometry_.inverse, material_, element_point(barycentric, corners));
-        const double weight = area * disc_.facet_rule.weights[q];
-        if (element_.facet_kind[facet] == FacetKind::boundary)
-          add_boundary(weight, facet, frame, own, barycentric);
-        else
-          add_interior(weight, facet, frame, own, barycentric);
+  /// kappa int uhat_0 . (u - u_ext) |N_t| over all facets through which displacement enters.
+  void add_rigid(double kappa) {
+    const std::vector<EntryFacet> entries = entry_facets(disc_, element_);
+    const auto rigid = rigid_modes(disc_, element_, entries);
+    for (const std::vector<Rows>& mode : rigid) {
+      Row moments(disc_.num_unknowns, 0.0);
+      for (std::size_t f = 0; f < entries.size(); ++f)
+        add_moments(entries[f].weight, mode[f], moments, [&](int q) { return state_on(entries[f].facet, q); });
+      add_matrix(kappa, moments, moments, offset_);
+      for (std::size_t f = 0; f < entries.size(); ++f) {
+        const int facet = entries[f].facet;
+        if (element_.facet_kind[facet] == FacetKind::inflow) {
+          Row below(1, 0.0);
+          add_moments(entries[f].weight, mode[f], below,
+                      [&](int q) { return state_below(disc_, batch_, element_, facet, facet_barycentric(disc_, q)); });
+          add_rhs(kappa, moments, below[0]);
+        } else {
+          Row beyond(disc_.num_unknowns, 0.0);
+          add_moments(entries[f].weight, mode[f], beyond, [&](int q) { return state_beyond(facet, q); });
+          add_matrix(-kappa, moments, beyond, offset_of(element_.neighbor[facet]));
+        }
       }
+    }
+  }
+
+  void add_inner() {
+    for (int facet = 0; facet <= D_ + 1; ++facet) {
+      const FacetKind kind = element_.facet_kind[facet];
+      if (kind == FacetKind::inflow || kind == FacetKind::outflow) continue;
+      is_inclined(disc_, element_, facet) ? add_inclined(facet) : add_vertical(facet);
     }
   }
 
  private:
   int offset_of(int element) const { return (element - first_element_) * disc_.num_unknowns; }
+
+  /// Fields of this element at point q of a facet that lists its corners ascending.
+  PointState state_on(int facet, int q) const {
+    return point_state(disc_, geometry_.inverse, material_,
+                       element_point(facet_barycentric(disc_, q), facet_corners(D_, facet)));
+  }
+  /// Fields of the neighbour there.
+  PointState state_beyond(int facet, int q) const {
+    const ElementDescriptor& other = batch_.elements[element_.neighbor[facet]];
+    return point_state(disc_, element_geometry(other, D_).inverse, batch_.materials[other.material],
+                       element_point(facet_barycentric(disc_, q), facet_corners(D_, element_.neighbor_facet[facet])));
+  }
+
+  /// moments += weight times the mean over the facet of mode . u.
+  template <class StateAt>
+  void add_moments(double weight, const Rows& mode, Row& moments, const StateAt& state_at) const {
+    for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
+      const PointState state = state_at(q);
+      for (int i = 0; i < D_; ++i)
+        for (std::size_t n = 0; n < moments.size(); ++n)
+          moments[n] += weight * disc_.facet_rule.weights[q] * mode[q][i] * state.displacement[i][n];
+    }
+  }
+
+  void add_vertical(int facet) {
+    const Vector covector = facet_covector(geometry_, D_, facet);
+    double area = 0;
+    for (int j = 0; j < D_; ++j) area += covector[j] * covector[j];
+    area = std::sqrt(area);
+    const Rows frame = facet_frame(covector, area, D_);
+    for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
+      const double weight = area * disc_.facet_rule.weights[q];
+      if (element_.facet_kind[facet] == FacetKind::boundary)
+        add_boundary(weight, facet, frame, state_on(facet, q), facet_barycentric(disc_, q));
+      else
+        add_interior(weight, facet, frame, state_on(facet, q), state_beyond(facet, q));
+    }
+  }
+
+  /// Inclined facet: own - w^T A_N^- w, cross + w^T A_N^- w_ext.
+  void add_inclined(int facet) {
+    const Rows flux = incoming_flux(facet_covector(geometry_, D_, facet), material_, D_);
+    for (int q = 0; q < disc_.facet_rule.num_points(); ++q) {
+      const double weight = disc_.facet_rule.weights[q];
+      const Rows own = state_components(state_on(facet, q), D_), beyond = state_components(state_beyond(facet, q), D_);
+      for (std::size_t r = 0; r < flux.size(); ++r)
+        for (std::size_t s = 0; s < flux.size(); ++s) {
+          add_matrix(-weight * flux[r][s], own[r], own[s], offset_);
+          add_matrix(weight * flux[r][s], own[r], beyond[s], offset_of(element_.neighbor[facet]));
+        }
+    }
+  }
 
   void add_matrix(double weight, const Row& test, const Row& trial, int column_offset) {
     for (int m = 0; m < disc_.num_unknowns; ++m)
@@ -190,12 +240,9 @@ class ElementTerms {
 
   /// Interior facet between any two materials (i own, e other, tractions on the own outward normal), in components:
   /// own (Z_i v^ + s^) (s_i + Z_e v_i) / (Z_i + Z_e), cross minus the same with (s_e + Z_e v_e).
-  void add_interior(double weight, int facet, const Rows& frame, const PointState& own, const Row& barycentric) {
+  void add_interior(double weight, int facet, const Rows& frame, const PointState& own, const PointState& other) {
     const int neighbor = element_.neighbor[facet];
-    const ElementDescriptor& other_element = batch_.elements[neighbor];
-    const Material& other_material = batch_.materials[other_element.material];
-    const PointState other = point_state(disc_, element_geometry(other_element, D_).inverse, other_material,
-                                         element_point(barycentric, facet_corners(D_, element_.neighbor_facet[facet])));
+    const Material& other_material = batch_.materials[batch_.elements[neighbor].material];
     for (int c = 0; c < D_; ++c) {
       const double own_impedance = impedance_of(material_, c), other_impedance = impedance_of(other_material, c);
       const Row own_velocity = component(own.velocity, frame[c]), own_traction = component_of_traction(own, frame, c);
@@ -254,8 +301,9 @@ DensePatch reference_patch_system(const PatchBatch& batch, int dimension, int de
   for (int e = 0; e < descriptor.num_elements; ++e) {
     ElementTerms terms(disc, batch, descriptor, descriptor.first_element + e, system);
     terms.add_volume();
-    terms.add_inflow(kappa);
-    terms.add_vertical();
+    terms.add_inflow();
+    terms.add_rigid(kappa);
+    terms.add_inner();
   }
   return system;
 }

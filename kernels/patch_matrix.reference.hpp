@@ -15,14 +15,16 @@ struct DensePatch {
 
 /// Matrix and right-hand side of patch number `patch` by quadrature point by point, exact for straight simplices:
 ///   volume             K += int v^ . (rho v_t - div sigma),                b += int v^ . (rho b)
-///   inflow facet       K -= int w^T A_N w,                                  b -= int w^T A_N w_below
-///                      K += kappa int u^_0 . u |N_t|,                       b += kappa int u^_0 . u_below |N_t|
+///   inflow facets      K -= int w^T A_N w,                                  b -= int w^T A_N w_below
 ///   vertical facets    K -= int (v^ + Z^-1 s^) . (s* - s), the data part of s* going to b
+///   inclined facets    K -= int w^T A_N^- w,                                K += int w^T A_N^- w_neighbour
+///   where N_t < 0      K += kappa int u^_0 . u |N_t|,                       b += kappa int u^_0 . u_below |N_t|
 /// with sigma = lambda tr(E) I + 2 mu E, w = (v, sigma), and ^ marking test functions (docs/formulation.md, Element
 /// problem). The solution does not depend on kappa > 0; scaled units make 1 the natural value.
 /// Host only, serial, never tuned: the truth that every faster path is compared with. `batch` holds host pointers and
 /// its store the coefficients and inverse Jacobians of the sources; nothing is written. Scaled units. Preconditions
-/// (asserted nowhere else but by the element check of the solver): positive volumes, causal inflow facets.
+/// (asserted nowhere else but by the element check of the solver): positive volumes, causal
+/// inflow and outflow facets, vertical boundary facets; fracture facets are none of its business.
 DensePatch reference_patch_system(const PatchBatch& batch, int dimension, int degree, int patch, double kappa = 1);
 
 }  // namespace tentpole

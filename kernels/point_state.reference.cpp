@@ -13,9 +13,9 @@ double dot(const Row& a, const double* b) {
 }
 
 PointState initial_state(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element,
-                         const Row& barycentric) {
+                         int facet, const Row& barycentric) {
   const int D = disc.dimension;
-  const double* velocity = batch.prescribed + element.facet_data[D + 1];
+  const double* velocity = batch.prescribed + element.facet_data[facet];
   const double* strain = velocity + D * disc.facet_basis.size();
   const double* displacement = strain + num_symmetric(D) * disc.facet_basis.size();
   PointState state;
@@ -30,13 +30,13 @@ PointState initial_state(const Discretization& disc, const PatchBatch& batch, co
 }
 
 PointState source_state(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element,
-                        const Row& barycentric) {
+                        int facet, const Row& barycentric) {
   const int d = disc.dimension + 1;
-  const std::size_t slot = element.source_slot[d];
+  const std::size_t slot = element.source_slot[facet];
   Matrix inverse{};
   for (int l = 0; l < d; ++l)
     for (int j = 0; j < d; ++j) inverse[l][j] = batch.inverse_jacobians[(slot * d + l) * d + j];
-  const Row xi = element_point(barycentric, facet_corners(disc.dimension, element.source_facet[d]));
+  const Row xi = element_point(barycentric, facet_corners(disc.dimension, element.source_facet[facet]));
   return evaluate(point_state(disc, inverse, batch.materials[element.material], xi),
                   batch.coefficients + slot * disc.num_unknowns);
 }
@@ -207,10 +207,10 @@ PointState evaluate(const PointState& state, const double* coefficients) {
   return result;
 }
 
-PointState state_below(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element,
+PointState state_below(const Discretization& disc, const PatchBatch& batch, const ElementDescriptor& element, int facet,
                        const Row& barycentric) {
-  return element.source_slot[disc.dimension + 1] == none ? initial_state(disc, batch, element, barycentric)
-                                                         : source_state(disc, batch, element, barycentric);
+  return has_source(element, facet) ? source_state(disc, batch, element, facet, barycentric)
+                                    : initial_state(disc, batch, element, facet, barycentric);
 }
 
 }  // namespace tentpole::reference

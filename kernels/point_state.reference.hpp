@@ -67,9 +67,9 @@ Rows momentum_operator(const Discretization& discretization, const Matrix& inver
 /// Component i of data [components][modes] at a facet point, in the modes of `modes` scaled to squares of mean 1.
 double facet_mode_sum(const OrthonormalBasis& modes, const Row& barycentric, const double* data, int i);
 
-/// Fields (rows of one number) that the batch prescribes at a point of the element's inflow facet: those of the source
-/// element, or the initial data.
+/// Fields (rows of one number) that the batch prescribes at a point of an inflow facet: those of the source element, or
+/// the initial data.
 PointState state_below(const Discretization& discretization, const PatchBatch& batch, const ElementDescriptor& element,
-                       const Row& barycentric);
+                       int facet, const Row& barycentric);
 
 }  // namespace tentpole::reference

@@ -200,7 +200,7 @@ PatchEnergy solved_patch_energy(TentBatch& batch, int patch) {
     reference::Vector below = reference::facet_covector(geometry, D, D + 1);
     for (double& component : below) component = -component;
     energy.below += front_energy(disc, below, material, [&](const reference::Row& barycentric) {
-      return reference::state_below(disc, view, element, barycentric);
+      return reference::state_below(disc, view, element, D + 1, barycentric);
     });
     const auto corners = reference::facet_corners(D, facet_table(element, D, element.pole));
     energy.above += front_energy(

@@ -120,7 +120,7 @@ TEST(TentSamples, TheStateBelowIsThePolynomialOfTheElement) {
     for (std::size_t e = 0; e < batch.elements.size(); ++e) {
       const ElementDescriptor& element = batch.elements[e];
       const Row barycentric = facet_barycentric(disc, 1);
-      const PointState below = state_below(disc, batch.view(), element, barycentric);
+      const PointState below = state_below(disc, batch.view(), element, dimension + 1, barycentric);
       const Row xi = element_point(barycentric, facet_corners(dimension, dimension + 1));
       const PointState own = evaluate(
           point_state(disc, element_geometry(element, dimension).inverse, batch.materials[element.material], xi),
