@@ -75,7 +75,7 @@ constexpr int facet_table(const ElementDescriptor& element, int dimension, int f
 struct PatchDescriptor {
   std::int32_t first_element = 0;
   std::int32_t num_elements = 0;
-  std::int32_t is_general = 0;      ///< 1 where an interior facet may be inclined or an element is general: more memory
+  std::int32_t is_general = 0;      ///< 1 where a tent is inclined or an element is general: more memory
   std::int32_t first_fracture = 0;  ///< its fracture facets are consecutive too
   std::int32_t num_fractures = 0;
 };

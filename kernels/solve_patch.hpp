@@ -101,8 +101,8 @@ inline Status build_operators(const PatchBatch& batch, const PatchDescriptor& pa
   Status status = Status::ok;
   for (int e = 0; e < patch.num_elements; ++e) {
     ElementOperator<D> op;
-    const Status of_element =
-        build_element_operator<D>(batch, workspace.tables, batch.elements[patch.first_element + e], op);
+    const Status of_element = build_element_operator<D>(batch, workspace.tables, patch.is_general != 0,
+                                                        batch.elements[patch.first_element + e], op);
     if (status == Status::ok) status = of_element;
     if (lanes.first() == 0) *workspace.element(e).op = op;
   }

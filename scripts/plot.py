@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws a result folder: fields on time slices, energies over time, probes. PNG files go into the folder.
+"""Draws a result folder: fields and cracks at times, energies over time, probes. The pictures go into the folder.
 
 Needs numpy, matplotlib and h5py. What the files hold is described in docs/results.md.
 """
@@ -8,15 +8,17 @@ import json
 import sys
 from pathlib import Path
 
-import numpy as np
-
-from plotting import line, plane, space
+from plotting import line, plane, sequence, space, spacetime
+from plotting.animation import write_film
+from plotting.cracks import crack_file, read_cracks
+from plotting.history import draw_history
 from plotting.snapshot import read_snapshot, series
-from plotting.style import plt, save
-from plotting.tables import draw_history, draw_probe
+from plotting.style import save
+from plotting.tables import draw_probe
 
 DRAWINGS = {1: line, 2: plane, 3: space}
-NEEDED_FIELDS = {1: [], 2: ["velocity", "strain_energy_density"], 3: ["strain_energy_density"]}
+NEEDED_FIELDS = {1: [], 2: ["strain_energy_density"], 3: ["strain_energy_density"]}
+CRACKED_DEFORMATION = 100  # so that openings of a part of a micrometre are seen on a body of a millimetre
 
 
 def parse_arguments():
@@ -25,10 +27,19 @@ def parse_arguments():
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--time", type=float, metavar="T", help="the snapshot nearest to T seconds (default: the last one)")
     which.add_argument("--all", action="store_true", help="every snapshot, with common scales")
-    parser.add_argument("--animation", action="store_true", help="also animation.gif over all snapshots")
-    parser.add_argument("--height", choices=["speed", "vx", "vy"], default="speed", help="height of the D = 2 relief")
-    parser.add_argument("--deformation", type=float, default=0, metavar="SCALE", help="draw D = 2 points moved by SCALE u")
-    return parser.parse_args()
+    parser.add_argument("--animate", "--animation", action="store_true", help="also an animation of all snapshots")
+    parser.add_argument("--format", choices=["gif", "mp4"], default="gif", help="of the animation; mp4 needs ffmpeg")
+    parser.add_argument("--sequence", type=int, default=6, metavar="N",
+                        help="moments on the page sequence.png of a plane body (default 6; 0: no page)")
+    parser.add_argument("--height", choices=["velocity", "speed", "vx", "vy", "none"], default="velocity",
+                        help="height of the relief of a plane body: |v| (also called speed), a component, or no relief")
+    parser.add_argument("--deformation", type=float, metavar="SCALE",
+                        help=f"draw a plane body moved by SCALE u (default: {CRACKED_DEFORMATION} with cracks, otherwise 0)")
+    parser.add_argument("--mesh", action=argparse.BooleanOptionalAction, default=True, help="lines of the mesh")
+    options = parser.parse_args()
+    if options.height == "speed":
+        options.height = "velocity"
+    return options
 
 
 def read_title(folder):
@@ -39,49 +50,55 @@ def read_title(folder):
 
 
 def chosen(entries, options):
-    if options.all or not entries:
+    if options.all:
         return entries
     if options.time is None:
         return entries[-1:]
     return [min(entries, key=lambda entry: abs(entry[1] - options.time))]
 
 
+def choose_deformation(entries, snapshot, options):
+    """The default of --deformation. Cracks do not heal, so the last snapshot has them if any one does."""
+    last = crack_file(entries[-1][0])
+    has_cracks = last.exists() and len(read_cracks(last)) > 0
+    return CRACKED_DEFORMATION if has_cracks and "displacement" in snapshot.fields else 0
+
+
 def check_fields(snapshot, options):
-    needed = list(NEEDED_FIELDS[snapshot.dimension]) + (["displacement"] if options.deformation else [])
+    needed = list(NEEDED_FIELDS[snapshot.dimension])
+    if snapshot.dimension == 2:
+        needed += (["displacement"] if options.deformation else []) + (["velocity"] if options.height != "none" else [])
     missing = [name for name in needed if name not in snapshot.fields]
     if missing:
         sys.exit(f"{snapshot.name}: the picture needs the fields {', '.join(missing)}; add them to [output] fields and run again")
 
 
-def frame(figure):
-    """The figure as an image; frames of an animation must have one size, so nothing is cropped."""
-    from PIL import Image
-    figure.set_dpi(110)
-    figure.canvas.draw()
-    image = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3].copy())
-    plt.close(figure)
-    return image
+def read_all(entries):
+    """One snapshot after the other, so that only one is in memory."""
+    return (read_snapshot(path) for path, _ in entries)
 
 
-def draw_snapshots(options):
-    entries = series(options.folder)
-    if not entries:
-        return
-    pictured = chosen(entries, options)
-    # Scales are common to all pictures of one call; a single picture has its own.
-    scaling = entries if options.animation or options.all else pictured
-    snapshots = {path: read_snapshot(path) for path, _ in scaling}
-    first = next(iter(snapshots.values()))
+def draw_snapshots(entries, options):
+    first = read_snapshot(entries[0][0])
+    if options.deformation is None:
+        options.deformation = choose_deformation(entries, first, options)
     check_fields(first, options)
     drawing = DRAWINGS[first.dimension]
-    scales = drawing.limits(list(snapshots.values()), options.height)
+    # Scales are common to all pictures of one kind; a single picture has its own.
+    pictured = chosen(entries, options)
+    scales = drawing.limits(read_all(entries if options.animate or options.all else pictured), options)
     for path, _ in pictured:
-        save(drawing.draw(snapshots[path], scales, options), path.with_suffix(".png"))
-    if options.animation:
-        frames = [frame(drawing.draw(snapshot, scales, options)) for snapshot in snapshots.values()]
-        path = options.folder / "animation.gif"
-        frames[0].save(path, save_all=True, append_images=frames[1:], duration=200, loop=0)
-        print(path)
+        save(drawing.draw(read_snapshot(path), scales, options), path.with_suffix(".png"))
+    if options.animate:
+        write_film(options.folder, options.format, (drawing.draw(s, scales, options) for s in read_all(entries)))
+    if first.dimension == 2 and options.sequence > 0 and len(entries) > 1:
+        moments = sequence.choose(entries, options.sequence)
+        save(sequence.draw(moments, plane.limits(read_all(moments), options), options), options.folder / "sequence.png")
+    if first.dimension == 1 and len(entries) > 1:
+        figure = spacetime.draw(entries, options)
+        if figure:
+            save(figure, options.folder / "spacetime.png")
+    return first.dimension
 
 
 def main():
@@ -89,9 +106,8 @@ def main():
     if not options.folder.is_dir():
         sys.exit(f"{options.folder}: no such folder; give the result folder of tentpole run")
     options.title = read_title(options.folder)
-    draw_snapshots(options)
     entries = series(options.folder)
-    dimension = read_snapshot(entries[0][0]).dimension if entries else 0
+    dimension = draw_snapshots(entries, options) if entries else 0
     if (options.folder / "history.csv").exists():
         draw_history(options.folder, dimension, options.title)
     for path in sorted(options.folder.glob("probe_*.csv")):

@@ -76,12 +76,4 @@ void check_adaptive_run(const SectionContext& context, const Case& settings) {
   warn_of_coarse_cracks(context, settings);
 }
 
-void refuse_what_is_not_available(const SectionContext& context, const Case& settings) {
-  const auto refuse = [&](const std::string& section, const std::string& what) {
-    context.section(section).report("enabled", what + " is not available yet. Set enabled = false.");
-  };
-  if (settings.adaptivity.enabled) refuse("adaptivity", "adaptive refinement");
-  if (settings.fracture.enabled) refuse("fracture", "fracture");
-}
-
 }  // namespace tentpole

@@ -10,13 +10,13 @@ namespace tentpole {
 
 /// Where new fracture surfaces may start: nowhere; at defects that are fixed in space; or at defects that are drawn
 /// anew for every patch (thesis 2.3.3).
-enum class NucleationModel { none, field, sampled };
+enum class NucleationModel { nowhere, field, sampled };
 
 enum class StrengthLaw { normal, weibull };
 
 /// [fracture.nucleation]: which strengths the defects have, and how many there are. docs/case-file.md; host/fracture.
 struct NucleationSettings {
-  NucleationModel model = NucleationModel::none;
+  NucleationModel model = NucleationModel::nowhere;
   StrengthLaw distribution = StrengthLaw::normal;
   double minimum = 0;                                        ///< [Pa], of either distribution
   double maximum = std::numeric_limits<double>::infinity();  ///< [Pa], of either distribution

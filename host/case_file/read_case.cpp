@@ -115,7 +115,7 @@ Material Case::material(const std::string& region) const {
 
 void set_seed(Case& settings, std::uint64_t seed) {
   NucleationSettings& nucleation = settings.fracture.nucleation;
-  if (!settings.domain.is_box() && nucleation.model == NucleationModel::none)
+  if (!settings.domain.is_box() && nucleation.model == NucleationModel::nowhere)
     throw InputError(
         "--seed " + std::to_string(seed) + ": nothing in " + settings.path.string() +
         " is drawn at random: the mesh is a file and there is no [fracture.nucleation]. Leave --seed out.");
@@ -146,7 +146,6 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   result.output = read_output(context);
   read_run_control(context, result);
   check_adaptive_run(context, result);
-  if (problems.empty()) refuse_what_is_not_available(context, result);
   if (problems.empty()) return result;
   sort_by_place(problems);
   throw InputError(std::move(problems));

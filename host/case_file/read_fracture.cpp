@@ -33,7 +33,7 @@ void read_resolution(const TableReader& reader, FractureSettings& fracture) {
 void warn_of_strong_defects(const TableReader& reader, const SectionContext& context,
                             const FractureSettings& fracture) {
   const NucleationSettings& nucleation = fracture.nucleation;
-  if (nucleation.model == NucleationModel::none || fracture.threshold == 0) return;
+  if (nucleation.model == NucleationModel::nowhere || fracture.threshold == 0) return;
   if (nucleation.minimum >= fracture.threshold)
     context.warnings.push_back(to_string(reader.location("minimum")) +
                                ": no defect is weaker than fracture.threshold = " + number_text(fracture.threshold) +

@@ -64,12 +64,12 @@ NucleationSettings read_nucleation(const TableReader& reader) {
   reader.allow_only({"model", "distribution", "mean", "minimum", "maximum", "tail_strength", "tail_probability",
                      "weibull_modulus", "weibull_scale", "density", "seed"});
   const auto model = reader.choice("model", Presence::required, {"field", "sampled", "none"});
-  constexpr NucleationModel models[] = {NucleationModel::field, NucleationModel::sampled, NucleationModel::none};
+  constexpr NucleationModel models[] = {NucleationModel::field, NucleationModel::sampled, NucleationModel::nowhere};
   if (model) nucleation.model = models[*model];
   if (const auto seed = reader.integer("seed", Presence::optional, not_negative("Give 0, 1, 2, ...")))
     nucleation.seed = static_cast<std::uint64_t>(*seed);
   const auto distribution = reader.choice("distribution", Presence::optional, {"normal", "weibull"});
-  if (!model || nucleation.model == NucleationModel::none) return nucleation;
+  if (!model || nucleation.model == NucleationModel::nowhere) return nucleation;
   nucleation.distribution = distribution.value_or(0) == 0 ? StrengthLaw::normal : StrengthLaw::weibull;
   nucleation.minimum =
       reader.number("minimum", Presence::required, not_negative("Give the smallest strength of the defects in Pa."))

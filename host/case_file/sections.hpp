@@ -44,8 +44,6 @@ NucleationSettings read_nucleation(const TableReader& nucleation);
 std::vector<CrackSettings> read_cracks(const TableReader& fracture, const SectionContext& context);
 /// Faults of adaptive meshes and fracture that concern several sections, and warnings. Reads the whole case but output.
 void check_adaptive_run(const SectionContext& context, const Case& settings);
-/// Adaptive meshes and fracture are read and checked, but this version cannot solve them: they may not be enabled.
-void refuse_what_is_not_available(const SectionContext& context, const Case& settings);
 
 /// True if the point lies in the closed box of the domain; true for a mesh file, whose extent is not known yet.
 bool lies_in_domain(const DomainSettings& domain, const std::vector<double>& point);

@@ -91,7 +91,9 @@ std::vector<fs::path> files(const fs::path& folder, const std::string& start, co
 }  // namespace
 
 ResultDifference compare_results(const fs::path& first, const fs::path& second) {
-  const std::vector<fs::path> snapshots = files(first, "snapshot_", ".vtkhdf");
+  std::vector<fs::path> snapshots = files(first, "snapshot_", ".vtkhdf");
+  const std::vector<fs::path> cracks = files(first, "cracks_", ".vtkhdf");
+  snapshots.insert(snapshots.end(), cracks.begin(), cracks.end());
   std::vector<fs::path> tables = files(first, "probe_", ".csv");
   if (snapshots.empty() && tables.empty()) tables = {first / "history.csv"};
   Comparison comparison;

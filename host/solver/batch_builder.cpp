@@ -61,7 +61,7 @@ void BatchBuilder::describe_inflow(HostBatch& batch, ElementDescriptor& element,
   element.source_slot[facet] = sources_.slot[cell];
   element.source_facet[facet] = static_cast<std::uint8_t>(sources_.facet[cell]);
   if (element.source_slot[facet] == none) {
-    element.facet_data[facet] = prescribed_.add_initial(element, batch.prescribed);
+    element.facet_data[facet] = prescribed_.add_initial(element, facet, batch.prescribed);
   } else {
     store_.release(element.source_slot[facet]);
   }

@@ -15,6 +15,18 @@ PatchSolverShape solver_shape(const Device& device, int threads) {
   return {threads > 0 ? threads : device.num_threads, 1};
 }
 
+/// The law of the case in scaled units; zero where there is no fracture.
+FractureLaw scaled_fracture_law(const Simulation& simulation) {
+  const FractureSettings& fracture = simulation.settings.fracture;
+  const Scaling& scaling = simulation.scaling;
+  return {fracture.threshold / scaling.stress(),
+          fracture.strength / scaling.stress(),
+          fracture.relaxation_time / scaling.time(),
+          fracture.delay_exponent,
+          fracture.shear_factor,
+          fracture.friction};
+}
+
 }  // namespace
 
 BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,
@@ -26,8 +38,11 @@ BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int
       traffic_(traffic),
       host_tables_(simulation.dimension(), simulation.degree()),
       host_slice_tables_(simulation.dimension(), simulation.degree()),
+      host_transplant_tables_(simulation.dimension(), simulation.degree()),
+      fracture_law_(scaled_fracture_law(simulation)),
       tables_(device, traffic, std::ssize(host_tables_.block())),
       slice_tables_(device, traffic, std::ssize(host_slice_tables_.block())),
+      transplant_tables_(device, traffic, std::ssize(host_transplant_tables_.block())),
       materials_(device, traffic, std::ssize(simulation.scaled_materials)),
       coefficients_(device, traffic),
       inverse_jacobians_(device, traffic),
@@ -35,6 +50,9 @@ BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int
       elements_(device, traffic),
       prescribed_(device, traffic),
       records_(device, traffic),
+      fractures_(device, traffic),
+      fracture_records_(device, traffic),
+      transplants_(device, traffic),
       slice_requests_(device, traffic),
       slice_energies_(device, traffic),
       scratch_(device, traffic),
@@ -42,6 +60,7 @@ BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int
       slots_(device, traffic) {
   tables_.upload(host_tables_.block());
   slice_tables_.upload(host_slice_tables_.block());
+  transplant_tables_.upload(host_transplant_tables_.block());
   materials_.upload(simulation.scaled_materials);
 }
 
@@ -102,15 +121,13 @@ void BatchRunner::gather_wanted(HostBatch& batch) {
 
 void BatchRunner::prepare_memory(const HostBatch& batch) {
   const ReferenceTablesView tables = host_tables_.view();
-  const std::int64_t d = tables.dimension + 1, slots = batch.num_slots;
-  if (coefficients_.size() < slots * tables.num_unknowns) {
-    coefficients_.grow_keeping(slots * tables.num_unknowns);
-    inverse_jacobians_.grow_keeping(slots * d * d);
-  }
+  hold_slots(batch.num_slots);
   patches_.resize_discarding(std::ssize(batch.patches));
   elements_.resize_discarding(std::ssize(batch.elements));
   prescribed_.resize_discarding(std::ssize(batch.prescribed));
   records_.resize_discarding(std::ssize(batch.elements));
+  fractures_.resize_discarding(std::ssize(batch.fractures));
+  fracture_records_.resize_discarding(std::ssize(batch.fractures));
   const long needed = patch_scratch_size(tables, batch.patches, shape_.lanes);
   if (needed > scratch_stride_) {
     scratch_stride_ = needed;
@@ -118,10 +135,18 @@ void BatchRunner::prepare_memory(const HostBatch& batch) {
   }
 }
 
+void BatchRunner::hold_slots(std::int64_t num_slots) {
+  const std::int64_t n = host_tables_.view().num_unknowns, d = simulation_.dimension() + 1;
+  if (coefficients_.size() >= num_slots * n) return;
+  coefficients_.grow_keeping(num_slots * n);
+  inverse_jacobians_.grow_keeping(num_slots * d * d);
+}
+
 void BatchRunner::upload(const HostBatch& batch) {
   patches_.upload(batch.patches);
   elements_.upload(batch.elements);
   if (!batch.prescribed.empty()) prescribed_.upload(batch.prescribed);
+  if (!batch.fractures.empty()) fractures_.upload(batch.fractures);
   cycles_.upload(std::vector<StageCycles>(shape_.workers));
 }
 
@@ -136,6 +161,9 @@ PatchBatch BatchRunner::device_batch(const HostBatch& batch) {
   on_device.coefficients = coefficients_.pointer();
   on_device.inverse_jacobians = inverse_jacobians_.pointer();
   on_device.records = records_.pointer();
+  on_device.fracture_law = fracture_law_;
+  on_device.fracture_facets = fractures_.pointer();
+  on_device.fracture_records = fracture_records_.pointer();
   return on_device;
 }
 
@@ -180,6 +208,8 @@ void BatchRunner::launch(const HostBatch& batch) {
 void BatchRunner::download(HostBatch& batch) {
   batch.records.resize(batch.elements.size());
   records_.download(batch.records);
+  batch.fracture_records.resize(batch.fractures.size());
+  if (!batch.fractures.empty()) fracture_records_.download(batch.fracture_records);
   const ReferenceTablesView tables = host_tables_.view();
   for (std::size_t e = 0; e < batch.elements.size(); ++e) {
     int ports = 0;
@@ -191,7 +221,7 @@ void BatchRunner::download(HostBatch& batch) {
 void BatchRunner::repair_failed_patches(HostBatch& batch) {
   for (const PatchDescriptor& patch : batch.patches) {
     const Status status = static_cast<Status>(batch.records[patch.first_element].status);
-    if (status == Status::ok) continue;
+    if (status == Status::ok || patch.num_fractures > 0) continue;
     std::vector<std::int32_t> slots;
     for (int e = 0; e < patch.num_elements; ++e)
       for (int facet = 0; facet <= simulation_.dimension() + 1; ++facet)
@@ -203,6 +233,30 @@ void BatchRunner::repair_failed_patches(HostBatch& batch) {
     fallback.solve(slots, coefficients, inverse_jacobians);
     write_slots(fallback.result_slots(), fallback.coefficients(), fallback.inverse_jacobians());
     ++num_fallbacks_;
+  }
+}
+
+void BatchRunner::transplant(std::span<const TransplantRequest> requests, std::int32_t num_slots) {
+  if (requests.empty()) return;
+  TransplantTask task{};
+  {
+    ScopedStage stage(timer_, Stage::transfer);
+    hold_slots(num_slots);
+    transplants_.resize_discarding(std::ssize(requests));
+    transplants_.upload(requests);
+  }
+  task.tables = host_transplant_tables_.view(transplant_tables_.pointer());
+  task.num_requests = static_cast<int>(requests.size());
+  task.requests = transplants_.pointer();
+  task.coefficients = coefficients_.pointer();
+  task.inverse_jacobians = inverse_jacobians_.pointer();
+  task.shape = shape_;
+  const ScopedStage stage(timer_, Stage::solution);
+  if (device_.is_host) {
+    transplant_host(task);
+  } else {
+    traffic_.count_launch(sizeof task);
+    transplant_device(task, device_.number);
   }
 }
 
@@ -220,11 +274,7 @@ void BatchRunner::write_slots(std::span<const std::int32_t> slots, std::span<con
                               std::span<const double> inverse_jacobians) {
   if (slots.empty()) return;
   const std::int64_t n = host_tables_.view().num_unknowns, d = simulation_.dimension() + 1;
-  const std::int64_t needed = *std::max_element(slots.begin(), slots.end()) + 1;
-  if (coefficients_.size() < needed * n) {
-    coefficients_.grow_keeping(needed * n);
-    inverse_jacobians_.grow_keeping(needed * d * d);
-  }
+  hold_slots(*std::max_element(slots.begin(), slots.end()) + std::int64_t{1});
   slots_.scatter(coefficients_, n, slots, coefficients);
   slots_.scatter(inverse_jacobians_, d * d, slots, inverse_jacobians);
 }

@@ -6,6 +6,7 @@
 #include "host/solver/host_batch.hpp"
 #include "host/solver/simulation.hpp"
 #include "kernels/patch_solver.hpp"
+#include "kernels/transplant.hpp"
 
 namespace tentpole {
 
@@ -20,8 +21,12 @@ class BatchRunner {
 
   /// Solves all patches of the batch and fills records, slice_energies, wanted_coefficients and modelled_flops. Patches
   /// whose check fails are solved again by pivoted dense LU on the host. Throws std::runtime_error naming the cell,
-  /// place and time when that fails too.
+  /// place and time when that fails too. Patches with fracture facets keep their status instead: an adaptive run
+  /// rejects them.
   void run(HostBatch& batch);
+
+  /// Gives elements of the store other simplices (kernels/transplant.hpp); `num_slots`: what the store must hold.
+  void transplant(std::span<const TransplantRequest> requests, std::int32_t num_slots);
 
   std::int64_t num_fallbacks() const { return num_fallbacks_; }
   int num_threads() const { return shape_.workers; }
@@ -34,6 +39,7 @@ class BatchRunner {
 
  private:
   void prepare_memory(const HostBatch& batch);
+  void hold_slots(std::int64_t num_slots);
   void upload(const HostBatch& batch);
   void launch(const HostBatch& batch);
   void download(HostBatch& batch);
@@ -50,8 +56,11 @@ class BatchRunner {
   TrafficCounters& traffic_;
   ReferenceTables host_tables_;
   SliceTables host_slice_tables_;
+  TransplantTables host_transplant_tables_;
+  FractureLaw fracture_law_;
   DeviceBuffer<double> tables_;
   DeviceBuffer<double> slice_tables_;
+  DeviceBuffer<double> transplant_tables_;
   DeviceBuffer<Material> materials_;
   DeviceBuffer<double> coefficients_;
   DeviceBuffer<double> inverse_jacobians_;
@@ -59,6 +68,9 @@ class BatchRunner {
   DeviceBuffer<ElementDescriptor> elements_;
   DeviceBuffer<double> prescribed_;
   DeviceBuffer<ElementRecord> records_;
+  DeviceBuffer<FractureFacet> fractures_;
+  DeviceBuffer<FractureRecord> fracture_records_;
+  DeviceBuffer<TransplantRequest> transplants_;
   DeviceBuffer<SliceRequest> slice_requests_;
   DeviceBuffer<double> slice_energies_;
   DeviceBuffer<double> scratch_;

@@ -129,6 +129,7 @@ void visit_arrays(Contents& contents, const Visitor& visit) {
   visit("front_times", contents.front_times);
   visit("cell_element", contents.cell_element);
   visit("cell_facet", contents.cell_facet);
+  visit("march", contents.march);
   visit("coefficients", contents.coefficients);
   visit("inverse_jacobians", contents.inverse_jacobians);
   visit("ledger", contents.ledger);

@@ -17,6 +17,7 @@ struct CheckpointContents {
   std::vector<double> front_times;         ///< [vertex]
   std::vector<std::int32_t> cell_element;  ///< [cell]: row of the element below it, or none: the initial data
   std::vector<std::int32_t> cell_facet;    ///< [cell]: facet_table() of that element's facet which is the cell
+  std::string march;                       ///< what else an adaptive march keeps
   std::vector<double> coefficients;        ///< [element][num_unknowns]
   std::vector<double> inverse_jacobians;   ///< [element][(D + 1)^2]
   std::string ledger, recorder, history;   ///< what their save() wrote

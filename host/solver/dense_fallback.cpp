@@ -25,7 +25,9 @@ DenseFallback::DenseFallback(HostBatch& batch, const PatchDescriptor& patch, con
 void DenseFallback::solve(std::span<const std::int32_t> source_slots, std::span<const double> coefficients,
                           std::span<const double> inverse_jacobians) {
   const Status failed = static_cast<Status>(batch_.records[patch_.first_element].status);
-  if (failed == Status::inverted_element || failed == Status::not_causal) fail(failed);
+  for (const Status geometric :
+       {Status::inverted_element, Status::not_causal, Status::patch_not_general, Status::boundary_not_vertical})
+    if (failed == geometric) fail(failed);
   // A batch of this patch alone over a store of its own: slot e takes element e, the sources follow.
   std::vector<ElementDescriptor> elements(batch_.elements.begin() + patch_.first_element,
                                           batch_.elements.begin() + patch_.first_element + patch_.num_elements);

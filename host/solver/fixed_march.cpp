@@ -20,7 +20,7 @@ bool FixedMarch::advance(const AdvanceOptions& options) {
   return advance_front(state_, options);
 }
 
-void FixedMarch::fill(RunSummary& summary) const {
+void FixedMarch::fill(RunSummary& summary) {
   summary.counts.cells_min = summary.counts.cells_max = num_cells();
 }
 

@@ -12,7 +12,7 @@ class FixedMarch : public FrontMarch {
 
   bool advance(const AdvanceOptions& options) override;
   int num_cells() const override { return books_.simulation.mesh.num_cells(); }
-  void fill(RunSummary& summary) const override;
+  void fill(RunSummary& summary) override;
   std::vector<std::int32_t> save(CheckpointContents& contents) const override;
   std::vector<std::int32_t> load(const CheckpointContents& contents) override;
 

@@ -29,7 +29,7 @@ class FrontMarch {
   virtual int num_cells() const = 0;
 
   /// Counts that only this kind of front has.
-  virtual void fill(RunSummary& summary) const = 0;
+  virtual void fill(RunSummary& summary) = 0;
 
   /// Writes the front and which element (row) lies below each cell; returns the slots of the rows.
   virtual std::vector<std::int32_t> save(CheckpointContents& contents) const = 0;

@@ -78,14 +78,22 @@ void Ledger::request_slices(HostBatch& batch, std::int32_t element) const {
   }
 }
 
-void Ledger::commit(const HostBatch& batch, bool check_balance) {
+void Ledger::commit(const HostBatch& batch, bool check_balance, std::span<const std::uint8_t> accepted) {
   ++num_batches_;
   modelled_flops_ += batch.modelled_flops;
-  for (const ElementRecord& record : batch.records)
-    largest_energy_ = std::max({largest_energy_, record.inflow_energy, record.outflow_energy});
-  for (const PatchDescriptor& patch : batch.patches) commit_patch(batch, patch, check_balance);
-  for (std::size_t index = 0; index < batch.wanted.size(); ++index) record_wanted(batch, index);
-  for (std::size_t request = 0; request < batch.slice_rows.size(); ++request) commit_slice(batch, request);
+  std::vector<std::uint8_t> element_accepted(batch.elements.size(), accepted.empty());
+  for (std::size_t patch = 0; patch < accepted.size(); ++patch)
+    for (int e = 0; e < batch.patches[patch].num_elements; ++e)
+      element_accepted[batch.patches[patch].first_element + e] = accepted[patch];
+  for (std::size_t e = 0; e < batch.records.size(); ++e)
+    if (element_accepted[e])
+      largest_energy_ = std::max({largest_energy_, batch.records[e].inflow_energy, batch.records[e].outflow_energy});
+  for (const PatchDescriptor& patch : batch.patches)
+    if (element_accepted[patch.first_element]) commit_patch(batch, patch, check_balance);
+  for (std::size_t index = 0; index < batch.wanted.size(); ++index)
+    if (element_accepted[batch.wanted[index]]) record_wanted(batch, index);
+  for (std::size_t request = 0; request < batch.slice_rows.size(); ++request)
+    if (element_accepted[batch.slice_requests[request].element]) commit_slice(batch, request);
 }
 
 void Ledger::commit_slice(const HostBatch& batch, std::size_t request) {
@@ -110,6 +118,7 @@ void Ledger::commit_patch(const HostBatch& batch, const PatchDescriptor& patch, 
     work += record.external_work;
     commit_element(batch, e);
   }
+  dissipation += commit_fractures(batch, patch);
   const double imbalance = std::fabs(change + dissipation - work);
   largest_imbalance_ = std::max(largest_imbalance_, imbalance);
   largest_increase_ = std::max(largest_increase_, change - work);
@@ -120,6 +129,24 @@ void Ledger::commit_patch(const HostBatch& batch, const PatchDescriptor& patch, 
                   batch.cells[patch.first_element], imbalance / largest_energy_);
     throw std::runtime_error(message);
   }
+}
+
+/// Books what the fracture facets of a patch take; returns it in scaled units.
+double Ledger::commit_fractures(const HostBatch& batch, const PatchDescriptor& patch) {
+  const double unit = simulation_.scaling.energy();
+  double taken = 0;
+  for (int f = patch.first_fracture; f < patch.first_fracture + patch.num_fractures; ++f) {
+    const FractureRecord& record = batch.fracture_records[f];
+    taken += record.fracture_work + record.friction_work;
+    EnergyFlow flow;
+    flow.fracture = unit * record.fracture_work;
+    flow.friction = unit * record.friction_work;
+    fracture_ += flow.fracture;
+    friction_ += flow.friction;
+    const TimeRange range = time_range(simulation_, batch.elements[batch.fractures[f].element[0]]);
+    history_.add_interval(range.first, range.last, flow);
+  }
+  return taken;
 }
 
 void Ledger::commit_element(const HostBatch& batch, std::int32_t element) {
@@ -147,6 +174,7 @@ SpacetimeElement Ledger::spacetime_element(const HostBatch& batch, std::int32_t 
   }
   element.region = from.material;
   element.id = batch.cells[index];
+  if (!batch.damage.empty()) element.damage = batch.damage[index];
   element.material = simulation_.materials[from.material];
   return element;
 }
@@ -173,6 +201,8 @@ void Ledger::fill(RunSummary& summary) const {
   summary.energy.external_work = external_work_.value();
   summary.energy.kinetic = kinetic_.value();
   summary.energy.strain = strain_.value();
+  summary.energy.fracture = fracture_.value();
+  summary.energy.friction = friction_.value();
   summary.energy.numerical = numerical_.value();
   summary.energy.largest_patch_increase = largest_increase();
   summary.energy.largest_patch_imbalance = largest_imbalance();
@@ -188,7 +218,8 @@ double Ledger::largest_increase() const {
 
 void Ledger::save(std::ostream& stream) const {
   for (const std::int64_t count : {num_patches_, num_elements_, num_batches_}) write_value(stream, count);
-  for (const ExactSum* sum : {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &modelled_flops_})
+  for (const ExactSum* sum :
+       {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &fracture_, &friction_, &modelled_flops_})
     write_value(stream, *sum);
   for (const double value : {largest_energy_, largest_imbalance_, largest_increase_}) write_value(stream, value);
   errors_.save(stream);
@@ -196,7 +227,8 @@ void Ledger::save(std::ostream& stream) const {
 
 void Ledger::load(std::istream& stream) {
   for (std::int64_t* count : {&num_patches_, &num_elements_, &num_batches_}) *count = read_value<std::int64_t>(stream);
-  for (ExactSum* sum : {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &modelled_flops_})
+  for (ExactSum* sum :
+       {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &fracture_, &friction_, &modelled_flops_})
     *sum = read_value<ExactSum>(stream);
   for (double* value : {&largest_energy_, &largest_imbalance_, &largest_increase_}) *value = read_value<double>(stream);
   errors_.load(stream);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "common/exact_sum.hpp"
 #include "host/output/history.hpp"
@@ -22,15 +23,16 @@ class Ledger {
   /// the history will need.
   void mark_wanted(HostBatch& batch) const;
 
-  /// Books a solved batch. With `check_balance` throws std::runtime_error for a patch whose energy balance does not
-  /// close to 1e-9.
-  void commit(const HostBatch& batch, bool check_balance);
+  /// Books the patches of a solved batch that are accepted ([patch], or all of them where it is empty). With
+  /// `check_balance` throws std::runtime_error for a patch whose energy balance does not close to 1e-9.
+  void commit(const HostBatch& batch, bool check_balance, std::span<const std::uint8_t> accepted = {});
 
   /// Counts, energies and errors so far.
   void fill(RunSummary& summary) const;
 
   std::int64_t num_patches() const { return num_patches_; }
-  /// Largest |E_out - E_in + dissipation - work| of a patch relative to the largest energy that passed through one.
+  /// Largest |E_out - E_in + dissipation + fracture work - work| of a patch relative to the largest energy that passed
+  /// through one.
   double largest_imbalance() const;
   /// Largest E_out - E_in - work of a patch relative likewise; not positive but for rounding.
   double largest_increase() const;
@@ -40,6 +42,7 @@ class Ledger {
 
  private:
   void commit_patch(const HostBatch& batch, const PatchDescriptor& patch, bool check_balance);
+  double commit_fractures(const HostBatch& batch, const PatchDescriptor& patch);
   void commit_element(const HostBatch& batch, std::int32_t element);
   void record_wanted(const HostBatch& batch, std::size_t index);
   void request_slices(HostBatch& batch, std::int32_t element) const;
@@ -54,7 +57,7 @@ class Ledger {
   std::int64_t num_patches_ = 0;
   std::int64_t num_elements_ = 0;
   std::int64_t num_batches_ = 0;
-  ExactSum initial_, external_work_, numerical_, kinetic_, strain_, modelled_flops_;
+  ExactSum initial_, external_work_, numerical_, kinetic_, strain_, fracture_, friction_, modelled_flops_;
   double largest_energy_ = 0;
   double largest_imbalance_ = 0;
   double largest_increase_ = 0;

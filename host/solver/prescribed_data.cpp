@@ -41,12 +41,18 @@ std::array<double, 3> combine(const ElementDescriptor& element, int dimension, s
   return point;
 }
 
-/// Outward unit normal in space of the front cell's facet opposite `facet`.
+/// Corners of a facet in their listed order, ascending.
+std::vector<int> facet_corners(int dimension, int facet) {
+  std::vector<int> corners;
+  for (int corner = 0; corner <= dimension + 1; ++corner)
+    if (corner != facet) corners.push_back(corner);
+  return corners;
+}
+
+/// Outward unit normal in space of a vertical facet; its first D corners lie on the front.
 std::array<double, 3> outward_normal(const ElementDescriptor& element, int dimension, int facet) {
   std::array<double, 3> normal{}, edge[2]{}, inward{};
-  std::vector<int> corners;
-  for (int corner = 0; corner <= dimension; ++corner)
-    if (corner != facet) corners.push_back(corner);
+  const std::vector<int> corners = facet_corners(dimension, facet);
   for (int axis = 0; axis < dimension; ++axis) {
     for (int side = 0; side + 1 < dimension; ++side)
       edge[side][axis] = element.corner[corners[side + 1]][axis] - element.corner[corners[0]][axis];
@@ -66,11 +72,12 @@ std::array<double, 3> outward_normal(const ElementDescriptor& element, int dimen
   return normal;
 }
 
-double cell_size(const ElementDescriptor& element, int dimension) {
+/// Largest extent of a facet along an axis.
+double facet_size(const ElementDescriptor& element, int dimension, const std::vector<int>& corners) {
   double size = 0;
-  for (int corner = 1; corner <= dimension; ++corner)
+  for (const int corner : corners)
     for (int axis = 0; axis < dimension; ++axis)
-      size = std::max(size, std::fabs(element.corner[corner][axis] - element.corner[0][axis]));
+      size = std::max(size, std::fabs(element.corner[corner][axis] - element.corner[corners[0]][axis]));
   return size;
 }
 
@@ -116,18 +123,18 @@ void PrescribedData::initial_state(const Point& point, double step, Point& veloc
   }
 }
 
-std::int32_t PrescribedData::add_initial(const ElementDescriptor& element, std::vector<double>& prescribed) {
+std::int32_t PrescribedData::add_initial(const ElementDescriptor& element, int facet, std::vector<double>& prescribed) {
   const int num_strains = num_symmetric(dimension_), num_fields = dimension_ + num_strains, num_chi = dimension_ + 1;
   const std::size_t offset = prescribed.size();
   prescribed.resize(offset + num_fields * num_facet_modes_ + dimension_ * num_chi, 0.0);
   if (initial_displacement_.is_zero() && initial_velocity_.is_zero()) return static_cast<std::int32_t>(offset);
   double* block = &prescribed[offset];
-  const int corners[4] = {0, 1, 2, 3};
-  const double step = 4e-3 * cell_size(element, dimension_) * scaling_.length;
+  const std::vector<int> corners = facet_corners(dimension_, facet);
+  const double step = 4e-3 * facet_size(element, dimension_, corners) * scaling_.length;
   for (int q = 0; q < facet_rule_.num_points(); ++q) {
     double time;
-    const Point point = to_si(combine(element, dimension_, {corners, static_cast<std::size_t>(dimension_) + 1},
-                                      &facet_rule_.points[static_cast<std::size_t>(q) * dimension_], time));
+    const Point point = to_si(
+        combine(element, dimension_, corners, &facet_rule_.points[static_cast<std::size_t>(q) * dimension_], time));
     Point velocity, displacement;
     std::array<double, 6> strain;
     initial_state(point, step, velocity, strain, displacement);
@@ -151,9 +158,7 @@ std::int32_t PrescribedData::add_boundary(const ElementDescriptor& element, int 
   const std::size_t offset = prescribed.size();
   prescribed.resize(offset + dimension_ * num_facet_modes_, 0.0);
   double* block = &prescribed[offset];
-  std::vector<int> corners;
-  for (int corner = 0; corner <= dimension_ + 1; ++corner)
-    if (corner != facet) corners.push_back(corner);
+  const std::vector<int> corners = facet_corners(dimension_, facet);
   const Point normal = outward_normal(element, dimension_, facet);
   const auto unit = [&](BoundaryKind kind) {
     return kind == BoundaryKind::velocity ? scaling_.speed : scaling_.stress();

@@ -20,8 +20,8 @@ class PrescribedData {
  public:
   explicit PrescribedData(const Simulation& simulation);
 
-  /// Initial data on the inflow facet of an element that starts from the initial front.
-  std::int32_t add_initial(const ElementDescriptor& element, std::vector<double>& prescribed);
+  /// Initial data on inflow facet `facet` of an element that starts from the initial front.
+  std::int32_t add_initial(const ElementDescriptor& element, int facet, std::vector<double>& prescribed);
   /// Boundary data on vertical facet `facet` of an element, condition number `boundary`.
   std::int32_t add_boundary(const ElementDescriptor& element, int facet, int boundary, std::vector<double>& prescribed);
   /// Body force rho b in the element.

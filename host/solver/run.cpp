@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 
+#include "host/adaptive/adaptive_march.hpp"
 #include "host/output/output_times.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
@@ -49,6 +50,7 @@ void fill_stages(const StageTimer& timer, RunSummary::Stages& stages) {
   put(stages.solution, Stage::solution);
   put(stages.post_solution, Stage::post_solution);
   put(stages.transfer, Stage::transfer);
+  put(stages.fracture, Stage::fracture);
   put(stages.output, Stage::output);
   put(stages.total, Stage::total);
 }
@@ -57,6 +59,12 @@ void fill_stages(const StageTimer& timer, RunSummary::Stages& stages) {
 int batch_size(const Case& settings, const Device& device) {
   if (settings.batch_size > 0) return settings.batch_size;
   return device.kind == DeviceKind::gpu ? 16384 : 512;
+}
+
+std::unique_ptr<FrontMarch> make_march(RunBooks& books, const std::filesystem::path& folder) {
+  const Case& settings = books.simulation.settings;
+  if (settings.adaptivity.enabled || settings.fracture.enabled) return std::make_unique<AdaptiveMarch>(books, folder);
+  return std::make_unique<FixedMarch>(books);
 }
 
 /// Everything that a run owns; the parts refer to each other.
@@ -103,7 +111,7 @@ Run::Run(const Simulation& simulation, const RunOptions& options)
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
-      march_(std::make_unique<FixedMarch>(books_)) {
+      march_(make_march(books_, options.folder)) {
   if (options.resume) load_checkpoint(*options.resume, books_, *march_);
   timer_.add(Stage::initialization, Clock::now() - counted_);
 }

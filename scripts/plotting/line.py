@@ -2,7 +2,7 @@
 import numpy as np
 
 from .snapshot import SEGMENT
-from .style import LINE_COLOURS, plt, si_scale, time_text
+from .style import LINE_COLOURS, crack_style, plt, si_scale, time_text
 
 PANELS = [("displacement", "u", "m"), ("velocity", "v", "m/s"), ("stress", "σ$_{xx}$", "Pa"),
           ("strain_energy_density", "strain energy density", "J/m³")]
@@ -13,11 +13,16 @@ def component(snapshot, name):
     return values if values.ndim == 1 else values[:, 0]
 
 
-def limits(snapshots, _height):
+def limits(snapshots, _options):
     """Smallest and largest value of each field over all snapshots."""
-    names = [name for name, _, _ in PANELS if name in snapshots[0].fields]
-    return {name: (min(component(s, name).min() for s in snapshots), max(component(s, name).max() for s in snapshots))
-            for name in names}
+    result = {}
+    for snapshot in snapshots:
+        for name, _, _ in PANELS:
+            if name in snapshot.fields:
+                values = component(snapshot, name)
+                low, high = result.get(name, (np.inf, -np.inf))
+                result[name] = (min(low, values.min()), max(high, values.max()))
+    return result
 
 
 def element_polylines(snapshot):
@@ -46,11 +51,19 @@ def draw(snapshot, scales, options):
         axes.set_ylim(low - margin, high + margin)
         axes.set_ylabel(f"{symbol} [{label}]")
         axes.grid(color="#e4e7e9", lw=0.6)
+        draw_crack_points(axes, snapshot, factor)
     ends = snapshot.points[element_ends(path), 0] * factor
     rows[-1, 0].plot(ends, np.full(len(ends), rows[-1, 0].get_ylim()[0]), "|", color="#5f6b73", ms=6, mew=0.5, clip_on=False)
-    rows[-1, 0].set_xlabel(f"x [{unit}], elements marked")
+    cracks = ", cracks dotted (black: failed)" if snapshot.cracks else ""
+    rows[-1, 0].set_xlabel(f"x [{unit}], elements marked{cracks}")
     rows[0, 0].set_title(f"{options.title}{time_text(snapshot.time)}")
     return figure
+
+
+def draw_crack_points(axes, snapshot, factor):
+    if snapshot.cracks:
+        colours, widths = crack_style(snapshot.cracks.damage)
+        axes.vlines(snapshot.cracks.points[:, 0] * factor, *axes.get_ylim(), colors=colours, linewidths=widths, ls=":")
 
 
 def element_ends(path):

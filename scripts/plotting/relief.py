@@ -35,27 +35,31 @@ def shade(colours, polygons):
     return shaded
 
 
-def paint(axes, view, polygon_groups, lines, line_colours, line_width):
-    """Draws groups of (polygons [n, corners, 3], RGBA [n, 4]) and lines [m, 2, 3] with RGBA [m, 4], nearest last."""
+def paint(axes, view, polygon_groups, line_groups):
+    """Draws groups of (polygons [n, corners, 3], RGBA [n, 4]) and of (lines [m, 2, 3], RGBA [m, 4], widths [m] or one), the
+    nearest last. A line lies in front of the polygons it borders, and lines of a later group in front of an earlier one.
+    """
+    num_corners = max(polygons.shape[1] for polygons, _ in polygon_groups)
     outlines, depths, faces, edges, widths = [], [], [], [], []
+
+    def add(shapes, lift, face_colours, edge_colours, line_widths):
+        flat, depth = view.project(shapes)
+        # The last corner is repeated, so that all outlines fit into one array.
+        outlines.append(flat[:, np.minimum(np.arange(num_corners), shapes.shape[1] - 1)])
+        depths.append(depth.mean(axis=1) + lift)
+        faces.append(face_colours)
+        edges.append(edge_colours)
+        widths.append(np.broadcast_to(line_widths, len(shapes)))
+
     for polygons, colours in polygon_groups:
-        flat, depth = view.project(polygons)
-        outlines.extend(flat)
-        depths.append(depth.mean(axis=1))
         # The polygon's own colour on its outline closes the hairlines between antialiased neighbours.
-        faces.extend(colours)
-        edges.extend(colours)
-        widths.extend([0.25] * len(polygons))
-    flat, depth = view.project(lines)
-    outlines.extend(flat)
-    nudge = 0.01 * (np.ptp(np.concatenate(depths)) + 1e-300)  # a line lies in front of the polygons it borders
-    depths.append(depth.mean(axis=1) + nudge)
-    faces.extend([(0, 0, 0, 0)] * len(lines))
-    edges.extend(line_colours)
-    widths.extend([line_width] * len(lines))
+        add(polygons, 0, colours, colours, 0.25)
+    nudge = 0.01 * (np.ptp(np.concatenate(depths)) + 1e-300)
+    for level, (lines, colours, line_widths) in enumerate(line_groups, start=1):
+        add(lines, level * nudge, np.zeros((len(lines), 4)), colours, line_widths)
     order = np.argsort(np.concatenate(depths), kind="stable")
-    collection = PolyCollection([outlines[i] for i in order], closed=True, facecolors=[faces[i] for i in order],
-                                edgecolors=[edges[i] for i in order], linewidths=[widths[i] for i in order])
+    collection = PolyCollection(np.concatenate(outlines)[order], closed=True, facecolors=np.concatenate(faces)[order],
+                                edgecolors=np.concatenate(edges)[order], linewidths=np.concatenate(widths)[order])
     collection.set_joinstyle("round")
     axes.add_collection(collection)
     axes.autoscale_view()

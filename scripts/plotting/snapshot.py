@@ -6,6 +6,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from .cracks import Cracks, crack_file, read_cracks
+
 SEGMENT, TRIANGLE, QUAD, TETRAHEDRON, WEDGE = 3, 5, 9, 10, 13
 # Edges, faces and simplices of the cell types, as corner numbers.
 EDGES = {SEGMENT: [(0, 1)], TRIANGLE: [(0, 1), (1, 2), (2, 0)], QUAD: [(0, 1), (1, 2), (2, 3), (3, 0)]}
@@ -23,6 +25,7 @@ class Snapshot:
     points: np.ndarray          # [num_points, 3] [m]
     cells: dict                 # cell type -> corners [n, num_corners]
     fields: dict                # name -> [num_points] or [num_points, components], SI
+    cracks: Cracks = None       # fracture edges at the same time; None for runs without fracture
 
     @property
     def dimension(self):
@@ -48,7 +51,11 @@ def read_snapshot(path):
             first = offsets[:-1][types == kind]
             cells[int(kind)] = connectivity[first[:, None] + np.arange(NUM_CORNERS[int(kind)])]
         fields = {name: array[:] for name, array in root["PointData"].items()}
-        return Snapshot(Path(path).stem, float(root["FieldData/time"][0]), root["Points"][:], cells, fields)
+        snapshot = Snapshot(Path(path).stem, float(root["FieldData/time"][0]), root["Points"][:], cells, fields)
+    companion = crack_file(Path(path))
+    if companion.exists():
+        snapshot.cracks = read_cracks(companion)
+    return snapshot
 
 
 def series(folder):

@@ -9,7 +9,7 @@ from .snapshot import FACES
 from .style import COLOUR_MAP, colour_limit, line_colours, si_scale, stacked_axes, time_text
 
 
-def limits(snapshots, _height):
+def limits(snapshots, _options):
     return max(colour_limit(s.fields["strain_energy_density"]) for s in snapshots)
 
 
@@ -56,7 +56,7 @@ def draw_surface(axes, snapshot, energy, norm):
             lines.append(np.column_stack([faces[:, corner], np.roll(faces, -1, axis=1)[:, corner]]))
     lines = np.concatenate(lines)
     colours = line_colours(COLOUR_MAP(norm(energy[lines].mean(axis=1))), 0.35)
-    paint(axes, View(elevation=28), groups, snapshot.points[lines], colours, 0.25)
+    paint(axes, View(elevation=28), groups, [(snapshot.points[lines], colours, 0.25)])
 
 
 def draw_cut(axes, snapshot, norm, factor):
@@ -80,7 +80,7 @@ def draw(snapshot, largest_energy, options):
     norm = Normalize(0, largest_energy * factor if largest_energy > 0 else 1)
     size = np.ptp(snapshot.points, axis=0)
     surface_share = ((0.47 + 0.88 * size[1] / size[0]) * 0.47 + 0.88 * size[2] / size[0]) / (0.88 + 0.47 * size[1] / size[0])
-    figure, top, bottom, bar = stacked_axes(surface_share, size[1] / size[0])
+    figure, top, bottom, (bar,) = stacked_axes(surface_share, size[1] / size[0])
     draw_surface(top, snapshot, snapshot.fields["strain_energy_density"] * factor, norm)
     top.set_title(f"{options.title}{time_text(snapshot.time)}")
     draw_cut(bottom, snapshot, norm, factor)

@@ -9,6 +9,10 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
 COLOUR_MAP = matplotlib.colors.ListedColormap(plt.get_cmap("magma_r")(np.linspace(0, 0.86, 256)))
 LINE_COLOURS = ["#1f4e79", "#c0392b", "#2e8b57", "#8e6bbf", "#d98c1f", "#5f6b73"]
 MESH_COLOUR = "#2b2b2b"
+# Colours of cracks: from light to dark teal while they are damaged, black from damage 0.999 on.
+DAMAGE_MAP = matplotlib.colors.LinearSegmentedColormap.from_list("damage", ["#9fe0d8", "#2aa198", "#0b4f6c"])
+DAMAGE_MAP.set_over("black")
+DAMAGE_NORM = matplotlib.colors.Normalize(0, np.nextafter(0.999, 0))
 
 plt.rcParams.update({
     "figure.dpi": 160, "savefig.dpi": 160, "font.size": 9, "font.family": "DejaVu Sans", "axes.titlesize": 10,
@@ -43,16 +47,31 @@ def line_colours(surface_colours, opacity):
     return lines
 
 
-def stacked_axes(upper, lower):
-    """A figure with two panels of the same width and a place for a colour bar; heights are shares of that width."""
-    width, gap, margin = 6.2, 0.45, 0.6
-    total = width * (upper + lower) + gap + 2 * margin
+def crack_style(damage, width_inches=7):
+    """Colours [n, 4] and widths [n] [pt] of cracks with this damage [n]; thinner in smaller pictures."""
+    return DAMAGE_MAP(DAMAGE_NORM(damage)), (0.5 + 1.1 * damage) * np.clip(width_inches / 5, 0.5, 1)
+
+
+def stacked_axes(upper, lower, num_bars=1):
+    """A figure with two panels of the same width (one for upper = 0) and places for colour bars, one above the other.
+
+    Heights are shares of that width. Returns the figure, the upper panel or None, the lower one, the list of the bars.
+    """
+    width, gap, margin = 6.2, 0.45 if upper else 0, 0.6
+    content = max(width * (upper + lower) + gap, 1.6 * num_bars)
+    total = content + 2 * margin
     figure = plt.figure(figsize=(width + 2.2, total))
     place = [0.8 / (width + 2.2), width / (width + 2.2)]
     bottom = figure.add_axes([place[0], margin / total, place[1], width * lower / total])
-    top = figure.add_axes([place[0], (margin + width * lower + gap) / total, place[1], width * upper / total])
-    bar = figure.add_axes([place[0] + place[1] + 0.2 / (width + 2.2), margin / total, 0.15 / (width + 2.2), 0.72])
-    return figure, top, bottom, bar
+    top = None
+    if upper:
+        top = figure.add_axes([place[0], (margin + width * lower + gap) / total, place[1], width * upper / total])
+    bars = []
+    for index in range(num_bars):
+        room = content / num_bars / total
+        bars.append(figure.add_axes([place[0] + place[1] + 0.2 / (width + 2.2), margin / total + index * room,
+                                     0.15 / (width + 2.2), room * (0.86 if num_bars > 1 else 0.9)]))
+    return figure, top, bottom, bars
 
 
 def time_text(seconds):

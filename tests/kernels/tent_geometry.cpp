@@ -14,23 +14,6 @@ double uniform(double low, double high, std::mt19937& generator) {
   return std::uniform_real_distribution<double>(low, high)(generator);
 }
 
-/// Random vertex ids, so that the pole takes any place in the ascending corners of its cells.
-void shuffle_vertices(TentGeometry& tent, std::mt19937& generator) {
-  const int num_vertices = static_cast<int>(tent.position.size());
-  std::vector<int> id(num_vertices);
-  std::iota(id.begin(), id.end(), 0);
-  std::shuffle(id.begin(), id.end(), generator);
-  auto position = tent.position;
-  for (int vertex = 0; vertex < num_vertices; ++vertex) position[id[vertex]] = tent.position[vertex];
-  tent.position = position;
-  for (auto& cell : tent.cells) {
-    for (int c = 0; c <= tent.dimension; ++c) cell[c] = id[cell[c]];
-    std::sort(cell.begin(), cell.begin() + tent.dimension + 1);
-  }
-  tent.pole = id[tent.pole];
-  tent.time.assign(num_vertices, 0.0);
-}
-
 /// Angles in the range with the sum 360 degrees (ring) or less than 330 (chain), by rejection.
 std::vector<double> random_angles(bool closed, double low, double high, std::mt19937& generator) {
   if (closed && (3 * low > 360 || high < 60)) throw std::invalid_argument("fan_star: no ring has such angles");
@@ -79,6 +62,22 @@ Gradient cell_gradient(const TentGeometry& tent, int cell, const std::vector<dou
 }
 
 }  // namespace
+
+void shuffle_vertices(TentGeometry& tent, std::mt19937& generator) {
+  const int num_vertices = static_cast<int>(tent.position.size());
+  std::vector<int> id(num_vertices);
+  std::iota(id.begin(), id.end(), 0);
+  std::shuffle(id.begin(), id.end(), generator);
+  auto position = tent.position;
+  for (int vertex = 0; vertex < num_vertices; ++vertex) position[id[vertex]] = tent.position[vertex];
+  tent.position = position;
+  for (auto& cell : tent.cells) {
+    for (int c = 0; c <= tent.dimension; ++c) cell[c] = id[cell[c]];
+    std::sort(cell.begin(), cell.begin() + tent.dimension + 1);
+  }
+  tent.pole = id[tent.pole];
+  tent.time.assign(num_vertices, 0.0);
+}
 
 TentGeometry line_star(bool at_boundary, std::mt19937& generator) {
   TentGeometry tent;

@@ -19,6 +19,9 @@ struct TentGeometry {
   double top_time = 0;
 };
 
+/// Random vertex ids, so that the pole takes any place in the ascending corners of its cells; all times zero.
+void shuffle_vertices(TentGeometry& tent, std::mt19937& generator);
+
 /// D = 1: the pole between two cells, or at the end of one. The front is flat (time 0) until raise_tent.
 TentGeometry line_star(bool at_boundary, std::mt19937& generator);
 

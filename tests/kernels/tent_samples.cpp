@@ -58,28 +58,31 @@ void append_facet_modes(TentBatch& batch, const Discretization& disc, const Orth
   batch.prescribed.insert(batch.prescribed.end(), result.begin(), result.end());
 }
 
-/// Builds one element after the other of a tent.
-class TentAppender {
+/// Builds one element after the other of a patch.
+class PatchAppender {
  public:
-  TentAppender(TentBatch& batch, const TentGeometry& tent, const TentData& data, std::mt19937& generator)
+  PatchAppender(TentBatch& batch, const PatchGeometry& patch, const TentData& data, std::mt19937& generator)
       : batch_(batch),
-        tent_(tent),
+        patch_(patch),
         data_(data),
         generator_(generator),
         disc_(batch.dimension, batch.degree),
         D_(batch.dimension),
         first_element_(static_cast<int>(batch.elements.size())) {}
 
-  void append_element(int cell, int material, const PolynomialField& field) {
-    ElementDescriptor element = bare_element(cell);
+  void append_element(int index, int material, const PolynomialField& field) {
+    ElementDescriptor element = bare_element(index);
     element.material = material;
-    connect(element, cell);
+    connect(element, index);
     element.result_slot = append_slot(Row(batch_.num_unknowns(), std::numeric_limits<double>::quiet_NaN()), nullptr);
-    if (std::bernoulli_distribution(data_.source_fraction)(generator_))
-      append_source(element, cell, field);
-    else
-      append_initial_data(element, field);
-    for (int facet = 0; facet <= D_; ++facet)
+    for (int facet = 0; facet <= D_ + 1; ++facet) {
+      if (element.facet_kind[facet] != FacetKind::inflow) continue;
+      if (std::bernoulli_distribution(data_.source_fraction)(generator_))
+        append_source(element, facet, field);
+      else
+        append_initial_data(element, facet, field);
+    }
+    for (int facet = 0; facet <= D_ + 1; ++facet)
       if (element.facet_kind[facet] == FacetKind::boundary) append_boundary(element, facet, field);
     append_body_force(element, field);
     const Row exact = coefficients_of(element, field);
@@ -89,40 +92,40 @@ class TentAppender {
 
  private:
   /// Corners and pole; no neighbours, no data.
-  ElementDescriptor bare_element(int cell) const {
+  ElementDescriptor bare_element(int index) const {
     ElementDescriptor element{};
-    for (int c = 0; c <= D_; ++c) {
-      const int vertex = tent_.cells[cell][c];
-      for (int j = 0; j < D_; ++j) element.corner[c][j] = tent_.position[vertex][j];
-      element.corner[c][D_] = tent_.time[vertex];
-      if (vertex == tent_.pole) element.pole = c;
-    }
-    std::copy_n(element.corner[element.pole], D_, element.corner[D_ + 1]);
-    element.corner[D_ + 1][D_] = tent_.top_time;
+    element.pole = patch_.elements[index].pole;
     element.body_force_data = none;
-    for (int facet = 0; facet <= D_ + 1; ++facet) {
-      element.facet_kind[facet] = FacetKind::boundary;
-      element.neighbor[facet] = element.source_slot[facet] = element.facet_data[facet] = none;
+    for (int c = 0; c <= D_ + 1; ++c) {
+      const int vertex = patch_.elements[index].corners[c];
+      for (int j = 0; j < D_; ++j) element.corner[c][j] = patch_.position[vertex][j];
+      element.corner[c][D_] = patch_.time[vertex];
+      element.neighbor[c] = element.source_slot[c] = element.facet_data[c] = none;
     }
-    element.facet_kind[D_ + 1] = FacetKind::inflow;
-    element.facet_kind[element.pole] = FacetKind::outflow;
     return element;
   }
 
-  /// Vertices of a cell without one corner, ascending.
-  std::vector<int> facet_vertices(int cell, int opposite) const {
+  /// Vertices of an element without one corner, ascending.
+  std::vector<int> facet_vertices(int index, int opposite) const {
     std::vector<int> vertices;
-    for (int c = 0; c <= D_; ++c)
-      if (c != opposite) vertices.push_back(tent_.cells[cell][c]);
+    for (int c = 0; c <= D_ + 1; ++c)
+      if (c != opposite) vertices.push_back(patch_.elements[index].corners[c]);
     return vertices;
   }
 
-  void connect(ElementDescriptor& element, int cell) const {
-    for (int facet = 0; facet <= D_; ++facet) {
-      if (facet == element.pole) continue;
-      for (int other = 0; other < static_cast<int>(tent_.cells.size()); ++other)
-        for (int other_facet = 0; other_facet <= D_ && other != cell; ++other_facet)
-          if (facet_vertices(cell, facet) == facet_vertices(other, other_facet)) {
+  /// Facets that two elements share are interior; the others follow from their normals.
+  void connect(ElementDescriptor& element, int index) const {
+    const Geometry geometry = element_geometry(element, D_);
+    for (int facet = 0; facet <= D_ + 1; ++facet) {
+      const Vector covector = facet_covector(geometry, D_, facet);
+      double space = 0;
+      for (int j = 0; j < D_; ++j) space += covector[j] * covector[j];
+      const bool vertical = std::abs(covector[D_]) < 1e-9 * std::sqrt(space);
+      element.facet_kind[facet] =
+          vertical ? FacetKind::boundary : (covector[D_] < 0 ? FacetKind::inflow : FacetKind::outflow);
+      for (int other = 0; other < static_cast<int>(patch_.elements.size()); ++other)
+        for (int other_facet = 0; other_facet <= D_ + 1 && other != index; ++other_facet)
+          if (facet_vertices(index, facet) == facet_vertices(other, other_facet)) {
             element.facet_kind[facet] = FacetKind::interior;
             element.neighbor[facet] = first_element_ + other;
             element.neighbor_facet[facet] = static_cast<std::uint8_t>(other_facet);
@@ -151,21 +154,49 @@ class TentAppender {
     return result;
   }
 
-  /// An element of an earlier tent over the same cell, around a random vertex: its top is now on the front.
-  void append_source(ElementDescriptor& element, int cell, const PolynomialField& field) {
-    ElementDescriptor source = bare_element(cell);
+  /// An element of an earlier patch below the facet: one of a tent around a random vertex whose top is now on the
+  /// front or, below general patches, as often a general element.
+  void append_source(ElementDescriptor& element, int facet, const PolynomialField& field) {
+    const bool is_tent = !patch_.is_general() || std::bernoulli_distribution(0.5)(generator_);
+    const ElementBelow below = is_tent ? tent_below(element, facet) : general_element_below(element, facet);
+    element.source_facet[facet] = static_cast<std::uint8_t>(below.facet);
+    element.source_slot[facet] = append_slot(coefficients_of(below.element, field), &below.element);
+  }
+
+  struct ElementBelow {
+    ElementDescriptor element;  ///< corners only
+    int facet;                  ///< facet_table of its outflow facet
+  };
+  ElementBelow tent_below(const ElementDescriptor& element, int facet) {
+    ElementDescriptor source{};
+    const std::vector<int> corners = facet_corners(D_, facet);
+    for (int c = 0; c <= D_; ++c) std::copy_n(element.corner[corners[c]], D_ + 1, source.corner[c]);
     source.pole = std::uniform_int_distribution<int>(0, D_)(generator_);
     std::copy_n(source.corner[source.pole], D_ + 1, source.corner[D_ + 1]);
     source.corner[source.pole][D_] -= std::uniform_real_distribution<double>(0.1, 0.4)(generator_);
-    element.source_facet[D_ + 1] = static_cast<std::uint8_t>(facet_table(source, D_, source.pole));
-    element.source_slot[D_ + 1] = append_slot(coefficients_of(source, field), &source);
+    return {source, facet_table(source, D_, source.pole)};
+  }
+
+  /// Its additional corner lies below the middle of the facet and takes any place among the ascending corners.
+  ElementBelow general_element_below(const ElementDescriptor& element, int facet) {
+    ElementDescriptor source{};
+    const std::vector<int> corners = facet_corners(D_, facet);
+    const int place = std::uniform_int_distribution<int>(0, D_ + 1)(generator_);
+    double* below = source.corner[place];
+    for (int c = 0; c <= D_; ++c) {
+      const double* corner = element.corner[corners[c]];
+      std::copy_n(corner, D_ + 1, source.corner[c < place ? c : c + 1]);
+      for (int j = 0; j <= D_; ++j) below[j] += corner[j] / (D_ + 1);
+    }
+    below[D_] -= std::uniform_real_distribution<double>(0.1, 0.4)(generator_);
+    return {source, place};
   }
 
   int data_offset() const { return static_cast<int>(batch_.prescribed.size()); }
 
-  void append_initial_data(ElementDescriptor& element, const PolynomialField& field) {
-    element.facet_data[D_ + 1] = data_offset();
-    const std::vector<int> corners = facet_corners(D_, D_ + 1);
+  void append_initial_data(ElementDescriptor& element, int facet, const PolynomialField& field) {
+    element.facet_data[facet] = data_offset();
+    const std::vector<int> corners = facet_corners(D_, facet);
     for (int i = 0; i < D_; ++i)
       append_facet_modes(batch_, disc_, disc_.facet_basis, element, corners,
                          [&](const auto& point) { return field.velocity(i, point); });
@@ -226,7 +257,7 @@ class TentAppender {
   }
 
   TentBatch& batch_;
-  const TentGeometry& tent_;
+  const PatchGeometry& patch_;
   const TentData& data_;
   std::mt19937& generator_;
   Discretization disc_;
@@ -253,13 +284,22 @@ PatchBatch TentBatch::view() {
   return batch;
 }
 
+void append_patch(TentBatch& batch, const PatchGeometry& patch, const std::vector<int>& material,
+                  const std::vector<PolynomialField>& fields, const TentData& data, std::mt19937& generator) {
+  const int num_elements = static_cast<int>(patch.elements.size());
+  PatchDescriptor descriptor{};
+  descriptor.first_element = static_cast<int>(batch.elements.size());
+  descriptor.num_elements = num_elements;
+  descriptor.is_general = patch.is_general();
+  batch.patches.push_back(descriptor);
+  PatchAppender appender(batch, patch, data, generator);
+  for (int e = 0; e < num_elements; ++e) appender.append_element(e, material[e], fields[material[e]]);
+  batch.records.resize(batch.elements.size());
+}
+
 void append_tent(TentBatch& batch, const TentGeometry& tent, const std::vector<int>& material,
                  const std::vector<PolynomialField>& fields, const TentData& data, std::mt19937& generator) {
-  const int num_cells = static_cast<int>(tent.cells.size());
-  batch.patches.push_back({static_cast<int>(batch.elements.size()), num_cells});
-  TentAppender appender(batch, tent, data, generator);
-  for (int cell = 0; cell < num_cells; ++cell) appender.append_element(cell, material[cell], fields[material[cell]]);
-  batch.records.resize(batch.elements.size());
+  append_patch(batch, tent_patch(tent), material, fields, data, generator);
 }
 
 Material random_material(std::mt19937& generator) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/patch_batch.hpp"
+#include "tests/kernels/patch_geometry.hpp"
 #include "tests/kernels/polynomial_field.hpp"
 #include "tests/kernels/tent_geometry.hpp"
 
@@ -42,6 +43,11 @@ struct TentData {
   std::optional<BoundaryKind> tangential_kind;
   bool homogeneous = false;  ///< no body force, zero boundary data: only what comes from below
 };
+
+/// Appends one patch. material[element] indexes batch.materials (already there) and fields, one for each of
+/// batch.materials.
+void append_patch(TentBatch& batch, const PatchGeometry& patch, const std::vector<int>& material,
+                  const std::vector<PolynomialField>& fields, const TentData& data, std::mt19937& generator);
 
 /// Appends one patch: an element over every cell of the tent. material[cell] indexes batch.materials (already there)
 /// and fields, one for each of batch.materials.

@@ -71,13 +71,6 @@ TEST(ReadCase, LoadOfTheFullExampleRises) {
   EXPECT_DOUBLE_EQ(left.value({}, 3e-9, {-1, 0, 0})[0], -6.1);
 }
 
-TEST(ReadCase, WhatIsNotAvailableYetIsRefusedWhenEnabled) {
-  EXPECT_TRUE(
-      contains(refusal("full_example.toml", {"adaptivity.enabled=true"}),
-               "--set adaptivity.enabled=true: adaptive refinement is not available yet. Set enabled = false."));
-  EXPECT_TRUE(contains(refusal("full_example.toml", {"fracture.enabled=true"}), "fracture is not available yet."));
-}
-
 TEST(SetSeed, ReachesTheMeshAndTheDefects) {
   Case bar = read_case(valid + "full_example.toml");
   set_seed(bar, 12345678901234567890u);

@@ -65,7 +65,7 @@ TEST(ReadAdaptivity, AbsentSectionIsSwitchedOff) {
   const Case bar = read_case(valid + "one_dimension.toml");
   EXPECT_FALSE(bar.adaptivity.enabled);
   EXPECT_FALSE(bar.fracture.enabled);
-  EXPECT_EQ(bar.fracture.nucleation.model, NucleationModel::none);
+  EXPECT_EQ(bar.fracture.nucleation.model, NucleationModel::nowhere);
 }
 
 TEST(ReadAdaptivity, DefaultsCoarsenWithoutBoundAndEstimateTheEnergy) {
@@ -138,7 +138,7 @@ TEST(ReadFracture, WeibullDefectsHaveALocationAndNoUpperBound) {
 TEST(ReadFracture, NoNucleationNeedsNoDistribution) {
   const AdaptiveCase bar("one_dimension.toml", law_and({"fracture.nucleation.model=none"}));
   EXPECT_TRUE(bar.problems.empty()) << bar.problems[0];
-  EXPECT_EQ(bar.settings.fracture.nucleation.model, NucleationModel::none);
+  EXPECT_EQ(bar.settings.fracture.nucleation.model, NucleationModel::nowhere);
 }
 
 TEST(ReadFracture, CrackOfABarIsAPoint) {

@@ -97,12 +97,6 @@ class Run(ProgramTest):
             self.assertEqual(result.returncode, 1, result.stderr)
             self.assertRegex(result.stderr, rf"^the run failed: .*r{limit}/.*\n$")
 
-    def test_case_files_of_later_versions_are_refused(self):
-        bar = SOURCE / "examples/thesis_bar.toml"
-        self.assertIn("adaptive refinement is not available yet",
-                      self.refused("run", bar, "--set", "adaptivity.enabled=true", "--set", "adaptivity.min_size=1e-6",
-                                   "--set", "adaptivity.error_tolerance=1e-6"))
-
     def test_read_only_folder_is_bad_input(self):
         if os.geteuid() == 0:
             self.skipTest("permissions do not bind the superuser")

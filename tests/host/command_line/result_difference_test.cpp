@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/output/crack_series.hpp"
 #include "host/output/vtkhdf_writer.hpp"
 #include "tests/host/command_line/temporary_folder.hpp"
 
@@ -36,6 +37,27 @@ TEST(ResultDifference, IsRelativeToTheLargestValueOfTheWholeRun) {
   EXPECT_EQ(difference.where, "stress in snapshot_0000.vtkhdf");
   EXPECT_EQ(difference.num_values, 12);
   EXPECT_EQ(difference.num_equal, 11);
+}
+
+TEST(ResultDifference, SeesCracks) {
+  const TemporaryTestFolder root("difference_cracks");
+  const auto a = root.path() / "a", b = root.path() / "b", c = root.path() / "c";
+  for (const auto& [folder, damage] : {std::pair{&a, 0.5}, std::pair{&b, 0.375}, std::pair{&c, -1.0}}) {
+    CrackSeries cracks({.dimension = 2, .folder = *folder, .times = {1e-8, 2e-8}});
+    cracks.finish(1e-8, {});
+    CrackSegment segment;
+    segment.end[1] = {1e-6, 0, 0};
+    segment.num_points = 2;
+    segment.damage = {0.25, damage};
+    std::vector<CrackSegment> segments(damage < 0 ? 2 : 1, segment);
+    cracks.finish(2e-8, segments);
+  }
+  const ResultDifference difference = compare_results(a, b);
+  EXPECT_DOUBLE_EQ(difference.largest, 0.125 / 0.5);
+  EXPECT_EQ(difference.where, "damage in cracks_0001.vtkhdf");
+  EXPECT_EQ(difference.num_values, 8);  // damage and opening at four points
+  EXPECT_EQ(difference.num_equal, 6);
+  EXPECT_THROW(compare_results(a, c), std::runtime_error);
 }
 
 TEST(ResultDifference, OfEqualResultsIsZero) {

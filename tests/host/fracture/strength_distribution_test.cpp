@@ -46,7 +46,8 @@ TEST(TruncatedNormal, ThesisBarHasItsMinimumAndATailSmallerThanBeforeTruncation)
   EXPECT_EQ(bar.probability(219e6), 0);
   EXPECT_EQ(bar.probability(4e9), 1);
   EXPECT_NEAR(bar.probability(400e6), 1.5898420100396680e-4, 1e-16);
-  EXPECT_EQ(bar.strength(0), 220e6);
+  EXPECT_NEAR(bar.strength(0), 220e6, 1e-3);
+  EXPECT_GE(bar.strength(0), 220e6);
   EXPECT_NEAR(bar.strength(1), 4e9, 1e-2);
   EXPECT_LE(bar.strength(1), 4e9);
 }

@@ -112,7 +112,8 @@ def check_crack_file(path, dimension, degree, time):
     assert kinds == {1 if dimension == 1 else 3}, kinds
     per_edge = 1 if dimension == 1 else degree + 2  # lines between degree + 1 Gauss points and two ends
     assert np.array_equal(edge, np.repeat(np.arange(len(edge) // per_edge), per_edge))
-    age = time - 6e-8 - (np.abs(position[:, 1] - 1e-4) / 4e3 if dimension == 2 else 0)
+    distance = np.hypot(position[:, 1] - 1e-4, 4e-5) - 4e-5 if dimension == 2 else 0
+    age = time - 6e-8 - distance / 1.2e4
     expected = 1 - np.exp(-np.maximum(age, 0) / 3e-9)
     inner = np.ones(len(position), bool)
     if dimension == 2:  # the ends of a chain repeat the value of the Gauss point beside them

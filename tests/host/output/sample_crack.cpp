@@ -15,7 +15,8 @@ using Edge = std::array<Point, 2>;
 
 /// Time since the tip came to a point [s], negative before.
 double age(const PitchedBox& box, const SampleCrack& crack, std::span<const double> place, double time) {
-  const double distance = box.dimension == 2 ? std::abs(place[1] - box.length[1] / 2) : 0;
+  const double offset = box.dimension == 2 ? place[1] - box.length[1] / 2 : 0;
+  const double distance = std::hypot(offset, crack.core) - crack.core;
   return time - crack.start - distance / crack.speed;
 }
 
@@ -35,7 +36,7 @@ DisplacementField half_field(const PitchedBox& box, const SampleCrack& crack, in
   const DisplacementField waves = wave_field(box.length[0], speed, crack.velocity, crack.ramp);
   return [=](std::span<const double> event) {
     Point displacement = waves(event);
-    const double travel = std::abs(event[0] - box.length[0] / 2) / speed;
+    const double travel = side * (event[0] - box.length[0] / 2) / speed;
     displacement[0] += side * face_motion(crack, age(box, crack, event, event.back() - travel));
     return displacement;
   };
@@ -127,7 +128,9 @@ FrontState front_state(int dimension, const std::vector<CrackSegment>& segments,
   state.nucleations = segments.empty() ? 0 : 1;
   state.extensions = std::max<std::int64_t>(0, std::ssize(segments) - 1);
   state.fragments = segments.size() == edges_between_regions(pitched).size() && state.damage_mean > 0.99 ? 2 : 1;
-  state.cells = static_cast<std::int64_t>(pitched.elements.size());
+  // Any numbers, as if the mesh had been refined at every fracture edge.
+  state.cells = 800 + 50 * std::ssize(segments);
+  state.smallest_cell = 1e-5 / (1 + static_cast<double>(segments.size()));
   return state;
 }
 

@@ -15,7 +15,8 @@ struct SampleCrack {
   double velocity = 6.1;  ///< of the pulled ends [m/s]
   double ramp = 1e-8;     ///< [s]
   double start = 6e-8;    ///< the middle fails [s]
-  double speed = 4e3;     ///< of the crack tips [m/s]
+  double speed = 1.2e4;   ///< of the crack tips far from the start [m/s]
+  double core = 4e-5;     ///< the tips start faster within this distance, so the front of the release is round [m]
   double tau = 3e-9;      ///< damage = 1 - exp(-(time since the tip came) / tau)
 };
 

@@ -79,8 +79,8 @@ void add_end_work(const PitchedBox& box, History& history) {
 void add_crack(const PitchedBox& box, const PitchedElements& pitched, const RecorderOptions& options,
                History& history) {
   CrackSeries cracks({.dimension = box.dimension, .folder = options.folder, .times = options.snapshot_times});
-  const double fracture_power = 0.02 * box.length[1];  // [W] per unit of the missing dimensions, any number
-  history.add_interval(sample_crack.start, box.end, {.fracture = fracture_power * (box.end - sample_crack.start)});
+  const double fracture_energy = 6 * (box.dimension == 1 ? 1 : box.length[1]);  // 6 J/m^2, any number
+  history.add_interval(sample_crack.start, box.end, {.fracture = fracture_energy});
   for (const double time : options.snapshot_times)
     cracks.finish(time, crack_segments(box, pitched, sample_crack, time));
   for (const double time : history.times())

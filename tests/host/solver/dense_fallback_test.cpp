@@ -96,7 +96,7 @@ TEST_P(DenseFallbackTest, NamesThePlaceAndTheTimeOfAPatchThatCannotBeSolved) {
       FAIL() << "no exception";
     } catch (const std::runtime_error& error) {
       const std::string message = error.what();
-      for (const char* part : {"cell ", "tent at (", " m, t = ", "inflow facet not causal", "front.causality"})
+      for (const char* part : {"cell ", "tent at (", " m, t = ", "outflow facet not causal", "front.causality"})
         EXPECT_NE(message.find(part), std::string::npos) << message;
     }
   });

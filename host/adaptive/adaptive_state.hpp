@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "host/adaptive/defect_trigger.hpp"
+#include "host/fracture/crack_edge_state.hpp"
+#include "host/front/adaptive_front.hpp"
+#include "host/output/crack_series.hpp"
+#include "host/solver/batch_builder.hpp"
+#include "host/solver/run_books.hpp"
+
+namespace tentpole {
+
+/// What an adaptive run counts beside patches and energies.
+struct AdaptiveCounts {
+  std::int64_t rejected = 0;
+  std::int64_t min_size_hits = 0;  ///< elements above tolerance whose cell has the least size
+  std::int64_t refused = 0;        ///< patches above tolerance that were accepted because no split was admissible
+  std::int64_t splits = 0, deletions = 0, flips = 0, inclined = 0;
+  std::int64_t nucleations = 0, extensions = 0, branches = 0, coalescences = 0;
+  std::int64_t cells_min = 0, cells_max = 0;
+};
+static_assert(sizeof(AdaptiveCounts) == 13 * sizeof(std::int64_t), "checkpoints hold its bytes");
+
+/// Limits of the case in scaled units.
+struct AdaptiveLimits {
+  double tolerance = 0;        ///< dissipation of one element
+  double min_size = 0;         ///< cells whose longest edge is at most this are not refined
+  double max_size = 0;         ///< coarsening makes no longer edge
+  double crack_size = 0;       ///< longest edge of cells at a crack whose damage may still grow
+  double max_pole_height = 0;  ///< of vertices on such a crack: damage changes by at most max_damage_step
+};
+
+/// What a vertex remembers from patch to patch.
+struct VertexMemory {
+  std::uint8_t may_be_deleted = 0;  ///< all elements of its last patch were far below the tolerance
+  std::uint8_t keeps_shape = 0;     ///< its last deletion, flip or inclined tent was rejected: the next is a plain tent
+  std::uint8_t halvings = 0;        ///< of the next pole's height, after patches that failed
+};
+
+/// A cell whose refinement was refused and is tried again after later tents.
+struct PendingSplit {
+  std::int32_t cell;
+  std::int64_t serial;
+};
+
+/// Everything that an adaptive march changes.
+struct AdaptiveState {
+  RunBooks& books;
+  AdaptiveFront front;
+  CellSources sources;                      ///< [cell slot of the front]
+  std::vector<CrackEdgeState> crack_state;  ///< [crack edge], gap scaled
+  std::vector<CrackMode> crack_mode;        ///< [crack edge]
+  std::vector<VertexMemory> memory;         ///< [vertex slot]
+  std::vector<PendingSplit> pending;
+  std::vector<DefectTrigger> triggers;  ///< defects that have given way and wait for their crack
+  std::set<DefectId> spent;             ///< defects of the field that made a crack or wait for one
+  std::int64_t num_tested = 0;          ///< cells tested by the sampled model
+  AdaptiveCounts counts;
+  AdaptiveLimits limits;
+
+  int num_points() const { return front.mesh().dimension() == 1 ? 1 : books.simulation.degree() + 1; }
+  bool has_refinement() const { return books.simulation.settings.adaptivity.enabled; }
+  bool has_fracture() const { return books.simulation.settings.fracture.enabled; }
+
+  /// Sizes the arrays to the slots of the front.
+  void follow_front() {
+    sources.slot.resize(front.mesh().num_cell_slots(), none);
+    sources.facet.resize(front.mesh().num_cell_slots(), 0);
+    memory.resize(front.mesh().num_vertex_slots());
+    while (static_cast<int>(crack_state.size()) < front.cracks().size()) {
+      crack_state.push_back(uniform_crack_edge(num_points(), 0));
+      crack_mode.push_back(CrackMode::open);
+    }
+  }
+};
+
+/// Whether damage may still grow on a crack edge at this vertex.
+inline bool touches_active_crack(const AdaptiveState& state, int vertex) {
+  for (const std::int32_t edge : state.front.cracks().at(vertex))
+    if (!has_failed(state.crack_state[edge])) return true;
+  return false;
+}
+
+}  // namespace tentpole

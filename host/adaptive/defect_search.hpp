@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/adaptive/refinement.hpp"
+#include "host/fracture/strength_distribution.hpp"
+#include "kernels/orthonormal_basis.hpp"
+
+namespace tentpole {
+
+/// A front cell that a patch has just made, and the largest principal stress at its corners (scaled), a filter.
+struct TestedCell {
+  std::int32_t cell;
+  double largest_stress;
+};
+
+/// Finds the defects that give way (docs/fracture.md, Nucleation): those in new front cells whose strength the largest
+/// effective traction at their place exceeds. Cells whose largest principal stress is not tensile are not looked at.
+class DefectSearch {
+ public:
+  explicit DefectSearch(AdaptiveState& state);
+
+  /// Tests the cells of one round and appends to state.triggers, in the order of the cells. Reads the elements below
+  /// the cells that hold weak defects from the device.
+  void search(std::span<const TestedCell> cells);
+
+ private:
+  struct Candidate {
+    std::int32_t cell;
+    std::vector<DefectTrigger> triggers;  ///< normals still open
+    std::vector<double> strength;         ///< [trigger], Pa
+  };
+  std::optional<Candidate> candidate(const TestedCell& cell);
+  void test(const Candidate& candidate, const double* coefficients, const double* inverse_jacobian);
+  PlaneStress stress_at(std::int32_t cell, const Point& position, const double* coefficients,
+                        const double* inverse_jacobian) const;
+
+  AdaptiveState& state_;
+  const FractureSettings& settings_;
+  std::optional<StrengthDistribution> distribution_;
+  std::optional<DefectField> field_;
+  OrthonormalBasis basis_;
+};
+
+}  // namespace tentpole

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "host/fracture/defect_field.hpp"
+#include "host/fracture/maximal_effective_traction.hpp"
+
+namespace tentpole {
+
+/// A defect whose strength was exceeded: a fracture surface is to start or go on there.
+struct DefectTrigger {
+  Point position;                     ///< scaled
+  std::array<PlaneNormal, 2> normal;  ///< of the surfaces that bear most; D = 1 needs none
+  int num_normals;
+  std::optional<DefectId> defect;  ///< of the field; none for a test of the sampled model
+  int tries = 0;                   ///< rounds in which no crack could be made
+};
+
+}  // namespace tentpole

@@ -1,0 +1,62 @@
+#include "host/adaptive/judge_patch.hpp"
+
+#include <algorithm>
+
+namespace tentpole {
+namespace {
+
+bool is_tent(const PatchPlan& plan) {
+  return plan.operation == PatchOperation::tent || plan.operation == PatchOperation::inclined_tent;
+}
+
+/// A patch that the kernel could not solve: smaller cells where there may be, then lower poles.
+void retry_failed(const AdaptiveState& state, const PatchPlan& plan, PatchVerdict& verdict) {
+  verdict.is_accepted = verdict.is_solved = false;
+  if (!is_tent(plan)) return;
+  if (state.has_refinement())
+    for (const FootprintCell& cell : plan.footprint)
+      if (longest_edge(state.front.mesh().simplex(cell.cell)) > state.limits.min_size) verdict.refine.push_back(cell);
+  verdict.shorten = verdict.refine.empty() && state.memory[plan.vertex].halvings < max_halvings;
+}
+
+void judge_dissipation(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch,
+                       const PatchDescriptor& patch, PatchVerdict& verdict) {
+  double largest = 0;
+  for (int e = 0; e < patch.num_elements; ++e) {
+    const double dissipation = batch.records[patch.first_element + e].dissipation;
+    largest = std::max(largest, dissipation);
+    if (!(dissipation > state.limits.tolerance)) continue;
+    if (!is_tent(plan)) {
+      verdict.is_accepted = false;
+    } else if (longest_edge(state.front.mesh().simplex(plan.footprint[e].cell)) > state.limits.min_size) {
+      verdict.is_accepted = false;
+      verdict.refine.push_back(plan.footprint[e]);
+    } else {
+      ++verdict.min_size_hits;
+    }
+  }
+  verdict.may_be_deleted =
+      largest < state.books.simulation.settings.adaptivity.coarsening * state.limits.tolerance && is_tent(plan);
+}
+
+}  // namespace
+
+PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch_index) {
+  const PatchDescriptor& patch = batch.patches[patch_index];
+  PatchVerdict verdict;
+  if (static_cast<Status>(batch.records[patch.first_element].status) != Status::ok) {
+    retry_failed(state, plan, verdict);
+    return verdict;
+  }
+  if (state.has_refinement()) judge_dissipation(state, plan, batch, patch, verdict);
+  for (int f = 0; f < patch.num_fractures; ++f)
+    if (batch.fracture_records[patch.first_fracture + f].largest_damage_change >
+            1.0001 * state.books.simulation.settings.fracture.max_damage_step &&
+        state.memory[plan.vertex].halvings < max_halvings) {
+      verdict.is_accepted = false;
+      verdict.shorten = true;
+    }
+  return verdict;
+}
+
+}  // namespace tentpole

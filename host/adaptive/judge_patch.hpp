@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "host/adaptive/plan_patch.hpp"
+#include "common/status.hpp"
+#include "host/solver/host_batch.hpp"
+
+namespace tentpole {
+
+/// Pole heights are halved at most this often before a failed patch ends the run.
+inline constexpr int max_halvings = 20;
+
+/// What becomes of a solved patch.
+struct PatchVerdict {
+  bool is_accepted = true;
+  bool is_solved = true;              ///< false: the kernel reports a status; it may not be accepted
+  std::vector<FootprintCell> refine;  ///< cells to be split first
+  bool shorten = false;               ///< the next pole at the vertex is to have half the height
+  bool may_be_deleted = false;        ///< far below the tolerance: the vertex may go
+  int min_size_hits = 0;
+};
+
+/// Judges patch number `patch` of a solved batch by the status of the kernel, the numerical dissipation of its elements
+/// (with [adaptivity]) and the change of damage (max_damage_step).
+PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch);
+
+}  // namespace tentpole
