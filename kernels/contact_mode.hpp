@@ -48,13 +48,15 @@ struct ContactTolerance {
   double tension;
 };
 
-/// Tension: 1 % of the strength. A wave front of degree k >= 2 overshoots by 2 to 4 % of its height ahead of itself,
-/// and rounding alone has a sign; neither may open a surface that touches. The tension that a closed crack can then
-/// carry is below the accuracy of damage itself (half a percent and more). Gap: what the strength opens during a
-/// millionth of the tent's height, far below the distance of points and far above rounding.
-///   normal_compliance: 1 / Z_0 + 1 / Z_1 of the normal components; height: of the tent pole.
-inline ContactTolerance contact_tolerance(const FractureLaw& law, double normal_compliance, double height) {
-  return {1e-6 * law.strength * normal_compliance * height, 0.01 * law.strength};
+/// Both relative to the largest intact normal traction on the line of the point, so that no other scale of the load
+/// enters. Tension: 5 %. Rounding alone has a sign, and a wave front of degree k >= 2 overshoots by 2 to 4 % of its
+/// height ahead of itself; neither may open a surface that touches. Where tension does arrive, it opens the surface
+/// with the first points that bear more, and what the others carry is a quarter of a percent in energy, in that tent
+/// alone. Gap: what that traction opens during a millionth of the line, far below the distance of points and far above
+/// rounding.
+///   normal_compliance: 1 / Z_0 + 1 / Z_1 of the normal components; duration: of the line.
+inline ContactTolerance contact_tolerance(double largest_normal, double normal_compliance, double duration) {
+  return {1e-6 * largest_normal * normal_compliance * duration, 0.05 * largest_normal};
 }
 
 /// Open while the sides are apart, or where the bond would be in tension; otherwise stuck while friction holds

@@ -14,9 +14,10 @@ struct FractureLine {
   int num_panels;                         ///< of equal length: at most tau / 10 long, at least 4 and at most 16 of them
   int first_point;                        ///< its points are consecutive
   double damage_change, traction_change;  ///< of the last round: largest |next D - D| and |(next M - M) s0|
-  double secant_product,
-      secant_square;           ///< weighted sums over the points: with s = next D - D and its change ds, s ds and ds^2
-  double end_damage, end_gap;  ///< on the new front
+  double largest_normal;                  ///< |s0_n| of its points
+  double secant_product;                  ///< sum over its points of weight s ds, s = next D - D, ds the change of s
+  double secant_square;                   ///< the same of weight ds^2
+  double end_damage, end_gap;             ///< on the new front
 };
 
 /// One integration point. The maps of the last solution were made from `damage` and `contact`; `next_damage` and
@@ -121,7 +122,7 @@ inline void lay_fracture_lines(const FractureFacet& facet, const FractureLaw& la
 /// vertices in ascending id, then the top.
 template <int D>
 inline void lay_fracture_points(const FractureFacet& facet, const ReferenceTablesView& tables, int line,
-                                double gap_tolerance, const FractureWorkspace<D>& workspace) {
+                                const FractureWorkspace<D>& workspace) {
   const FractureLine& laid = workspace.lines[line];
   const double position = tables.line_point[line], share = rising_share<D>(facet, position);
   // Mean over a triangle: the height along the edge varies linearly with mean 1/2.
@@ -142,7 +143,7 @@ inline void lay_fracture_points(const FractureFacet& facet, const ReferenceTable
       point.weight = line_weight * tables.panel_weight[p] / laid.num_panels;
       point.damage = facet.damage[line];
       point.previous_damage = point.previous_step = 0;
-      point.contact = {facet.gap[line] > gap_tolerance ? ContactMode::open : ContactMode::stick, 0};
+      point.contact = {facet.gap[line] > 0 ? ContactMode::open : ContactMode::stick, 0};
       point.is_frozen = false;
     }
 }

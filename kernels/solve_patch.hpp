@@ -3,6 +3,7 @@
 #include "kernels/cycle_counter.hpp"
 #include "kernels/eliminate.hpp"
 #include "kernels/fracture_record.hpp"
+#include "kernels/larger_or_nan.hpp"
 #include "kernels/post_processing.hpp"
 
 namespace tentpole {
@@ -196,11 +197,6 @@ inline DamageLoop solve_condensed_fractures(const PatchBatch& batch, const Patch
   const DamageLoop loop = solve_fractures<D>(batch, patch, workspace, system, lanes);
   recover_all<D>(workspace, system, lanes);
   return loop;
-}
-
-/// The larger number; not a number if one of them is not (fmax would pass over it).
-inline double larger_or_nan(double a, double b) {
-  return b > a || b != b ? b : a;
 }
 
 /// Largest |r_i| / sqrt(A_ii) and the scale max(|c_i| sqrt(A_ii)) of one element.

@@ -190,6 +190,33 @@ TEST(FractureBar, AClosedCrackLetsPressurePass) {
   }
 }
 
+/// A step of pressure comes through elements that overshoot (k >= 2); the debonded crack stays closed.
+TEST(FractureBar, APressureStepDoesNotOpenAClosedCrack) {
+  const FractureLaw law{0.3, 0.4, 2, 10, 1, 0.3};
+  for (const int degree : {1, 2, 3, 4})
+    for (const double step : {0.1, 0.4}) {
+      CrackedBar bar(degree, law, {0, 0}, {0, 0}, {1, 0});
+      bar.set_far_field(0, {0.2, -0.2});
+      double widest = 0;
+      for (int n = 1; n * step <= 4; ++n) {
+        bar.advance(n * step);
+        widest = std::max(widest, bar.gap());
+      }
+      EXPECT_LT(widest, 1e-6) << "degree " << degree << " step " << step;
+      EXPECT_LT(bar.worst_closure(), 1e-12);
+    }
+}
+
+/// However weak the tension is compared with the strength, a debonded crack opens.
+TEST(FractureBar, WeakTensionOpensADebondedCrack) {
+  const FractureLaw law{0.3, 0.4, 2, 10, 1, 0.3};
+  for (const int degree : {1, 2, 3}) {
+    CrackedBar bar = pulled_bar(degree, law, 1e-9, {1, 0});
+    for (int n = 1; n <= 10; ++n) bar.advance(0.2 * n);
+    EXPECT_NEAR(bar.gap(), 8e-9, 1e-10) << "degree " << degree;
+  }
+}
+
 /// Tension opens a debonded crack; then pressure from both ends closes it, and new tension opens it again. While open
 /// the sides move at v = -+2 s / Z, so the times are known.
 TEST(FractureBar, ACrackOpensClosesAndOpensAgain) {

@@ -50,13 +50,12 @@ class FrozenView {
     const FractureLaw& law = batch_.fracture_law;
     const Quadrature panel = gauss_jacobi(std::max(3, batch_.degree), 0);
     const int num_panels = std::clamp(static_cast<int>(std::ceil(share * height / (0.1 * law.relaxation_time))), 4, 16);
-    const ContactTolerance tolerance = contact_tolerance(law, compliance(), height);
     const double duration = share * height / num_panels;
     double q = std::exp(-law.delay_exponent * facet_.damage[line]), gap = facet_.gap[line];
-    for (int n = 0; n < num_panels; ++n) {
-      std::vector<IntactPoint> intact;
-      std::vector<double> target, damage(panel.num_points());
-      std::vector<Row> barycentric;
+    std::vector<Row> barycentric;
+    std::vector<IntactPoint> intact;
+    double largest_normal = 0;
+    for (int n = 0; n < num_panels; ++n)
       for (int p = 0; p < panel.num_points(); ++p) {
         const double rise = (n + panel.points[p]) / num_panels;
         if (D_ == 1)
@@ -65,16 +64,25 @@ class FrozenView {
           barycentric.push_back({1 - position, position * (1 - rise), position * rise});
         else
           barycentric.push_back({(1 - position) * (1 - rise), position, (1 - position) * rise});
-        intact.push_back(intact_at(barycentric[p]));
-        target.push_back(
-            target_damage(law, effective_traction(law, normal_part(intact[p]), tangential_length(intact[p]))));
+        intact.push_back(intact_at(barycentric.back()));
+        largest_normal = std::max(largest_normal, std::abs(normal_part(intact.back())));
+      }
+    const ContactTolerance tolerance = contact_tolerance(largest_normal, compliance(), share * height);
+    for (int n = 0; n < num_panels; ++n) {
+      const int first = n * panel.num_points();
+      std::vector<double> target, damage(panel.num_points());
+      for (int p = 0; p < panel.num_points(); ++p) {
+        const IntactPoint& point = intact[first + p];
+        target.push_back(target_damage(law, effective_traction(law, normal_part(point), tangential_length(point))));
       }
       q = integrate_damage_panel(law, duration, panel.num_points(), panel.points.data(), panel.weights.data(),
                                  target.data(), q, damage.data());
       for (int p = 0; p < panel.num_points(); ++p) {
-        const double normal = normal_part(intact[p]);
-        const ContactMode mode = contact_state(law, tolerance, gap, normal, tangential_length(intact[p])).mode;
-        points.push_back({barycentric[p], weight * panel.weights[p] / num_panels, map_at(intact[p], mode, damage[p])});
+        const IntactPoint& point = intact[first + p];
+        const double normal = normal_part(point);
+        const ContactMode mode = contact_state(law, tolerance, gap, normal, tangential_length(point)).mode;
+        points.push_back(
+            {barycentric[first + p], weight * panel.weights[p] / num_panels, map_at(point, mode, damage[p])});
         if (mode == ContactMode::open) gap += duration * panel.weights[p] * compliance() * damage[p] * normal;
       }
       gap = std::max(gap, 0.0);
@@ -97,10 +105,11 @@ class FrozenView {
     return std::sqrt(square);
   }
 
-  /// Open (1 - D) I; stick I; slip n n^T + (1 - D)(I - n n^T) - D k_f dir n^T.
+  /// Open (1 - D) I; stick I; slip n n^T + (1 - D)(I - n n^T) - D k_f dir n^T, k_f = 0 where nothing presses.
   Row map_at(const IntactPoint& point, ContactMode mode, double damage) const {
     const Row tangential = tangential_part(point);
     const double length = tangential_length(point);
+    const double friction = normal_part(point) < 0 ? damage * batch_.fracture_law.friction : 0;
     Row map(D_ * D_);
     for (int i = 0; i < D_; ++i)
       for (int j = 0; j < D_; ++j) {
@@ -108,8 +117,8 @@ class FrozenView {
         if (mode == ContactMode::open) map[i * D_ + j] = (1 - damage) * unit;
         if (mode == ContactMode::stick) map[i * D_ + j] = unit;
         if (mode == ContactMode::slip)
-          map[i * D_ + j] = normals + (1 - damage) * (unit - normals) -
-                            damage * batch_.fracture_law.friction * tangential[i] / length * point.normal[j];
+          map[i * D_ + j] =
+              normals + (1 - damage) * (unit - normals) - friction * tangential[i] / length * point.normal[j];
       }
     return map;
   }
