@@ -32,6 +32,13 @@ class DefectSearch {
     std::vector<DefectTrigger> triggers;  ///< normals still open
     std::vector<double> strength;         ///< [trigger], Pa
   };
+  /// The weakest defect of a cell, as far as it has been looked for: cells are tested at every tent, defects stay.
+  struct CellMemory {
+    std::int64_t serial = none;
+    double searched = 0;  ///< [Pa]: no weaker defect than `weakest` below this strength
+    double weakest = 0;   ///< [Pa]
+  };
+  std::vector<Defect> field_defects(std::int32_t cell, std::span<const Point> corners, double strongest);
   std::optional<Candidate> candidate(const TestedCell& cell);
   void test(const Candidate& candidate, const double* coefficients, const double* inverse_jacobian);
   PlaneStress stress_at(std::int32_t cell, const Point& position, const double* coefficients,
@@ -42,6 +49,7 @@ class DefectSearch {
   std::optional<StrengthDistribution> distribution_;
   std::optional<DefectField> field_;
   OrthonormalBasis basis_;
+  std::vector<CellMemory> memory_;  ///< [cell slot]
 };
 
 }  // namespace tentpole
