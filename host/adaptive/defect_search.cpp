@@ -55,8 +55,10 @@ DefectSearch::DefectSearch(AdaptiveState& state)
 std::vector<Defect> DefectSearch::field_defects(std::int32_t cell, std::span<const Point> corners, double strongest) {
   if (cell >= std::ssize(memory_)) memory_.resize(state_.front.mesh().num_cell_slots());
   CellMemory& memory = memory_[cell];
-  const std::int64_t serial = state_.front.mesh().cell(cell).serial;
-  if (memory.serial != serial) memory = {serial, 0, 0};
+  if (!std::equal(corners.begin(), corners.end(), memory.corners.begin())) {
+    memory = {};
+    std::ranges::copy(corners, memory.corners.begin());
+  }
   if (strongest <= memory.searched && strongest < memory.weakest) return {};
   // Looking further than asked saves the next searches while the stress rises.
   memory.searched = std::max(memory.searched, 1.5 * strongest);

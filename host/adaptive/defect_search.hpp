@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,9 +33,11 @@ class DefectSearch {
     std::vector<DefectTrigger> triggers;  ///< normals still open
     std::vector<double> strength;         ///< [trigger], Pa
   };
-  /// The weakest defect of a cell, as far as it has been looked for: cells are tested at every tent, defects stay.
+  /// The weakest defect of a cell, as far as it has been looked for: cells are tested at every tent, defects stay. It
+  /// holds for a place, not for a cell, whose corners inclined tents move: then it changes no answer, and runs that
+  /// are resumed without it find the same defects.
   struct CellMemory {
-    std::int64_t serial = none;
+    std::array<Point, 3> corners{};
     double searched = 0;  ///< [Pa]: no weaker defect than `weakest` below this strength
     double weakest = 0;   ///< [Pa]
   };
