@@ -284,12 +284,20 @@ inline void rigid_residual(const ElementOperator<D>& op, const ReferenceTablesVi
       const double* slots = incoming + op.inclined[f].port * shape.amplitudes_per_port;
       for (int r = 0; r < num_rigid; ++r) amount[r] += slots[op.inclined[f].num_waves * num_modes + r];
     }
-  for (int a = lanes.first(); a < tables.num_basis; a += lanes.count())
-    for (int i = 0; i < D; ++i) {
-      double sum = 0;
-      for (int r = 0; r < num_rigid; ++r) sum += amount[r] * rigid_moment<D>(op, tables, r, i, a);
-      residual[i * tables.num_basis + a] += sum;
-    }
+  for (int f = 0; f < op.num_rigid_facets; ++f) {
+    const RigidFacet<D>& rigid = op.rigid[f];
+    const double* value = tables.facet_value(rigid.facet);
+    double motion[D][d] = {};  // |N_t| sum_r amount_r R_r in chi modes
+    for (int r = 0; r < num_rigid; ++r)
+      for (int i = 0; i < D; ++i)
+        for (int m = 0; m < d; ++m) motion[i][m] += rigid.root * amount[r] * rigid.modes[r][i][m];
+    for (int a = lanes.first(); a < tables.num_basis; a += lanes.count())
+      for (int i = 0; i < D; ++i) {
+        double sum = 0;
+        for (int m = 0; m < d; ++m) sum += motion[i][m] * value[a * d + m];
+        residual[i * tables.num_basis + a] += sum;
+      }
+  }
   lanes.synchronize();
 }
 

@@ -95,19 +95,19 @@ inline Receivers<D> receivers_of(const PatchDescriptor& patch, const PatchWorksp
   return receivers;
 }
 
-/// Builds the operators of all elements: across an inclined facet an element needs its neighbour's.
+/// Builds the operators of all elements before any is assembled: across an inclined facet an element needs its
+/// neighbour's. Returns the first status that is not ok.
 template <int D, class Lanes>
 inline Status build_operators(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
                               const Lanes& lanes) {
-  Status status = Status::ok;
-  for (int e = 0; e < patch.num_elements; ++e) {
-    ElementOperator<D> op;
-    const Status of_element = build_element_operator<D>(batch, workspace.tables, patch.is_general != 0,
-                                                        batch.elements[patch.first_element + e], op);
-    if (status == Status::ok) status = of_element;
-    if (lanes.first() == 0) *workspace.element(e).op = op;
+  for (int e = lanes.first(); e < patch.num_elements; e += lanes.count()) {
+    ElementOperator<D>& op = *workspace.element(e).op;
+    op.status = build_element_operator<D>(batch, workspace.tables, patch.is_general != 0,
+                                          batch.elements[patch.first_element + e], op);
   }
   lanes.synchronize();
+  Status status = Status::ok;
+  for (int e = 0; e < patch.num_elements && status == Status::ok; ++e) status = workspace.element(e).op->status;
   return status;
 }
 

@@ -58,6 +58,7 @@ AdaptiveMarch::AdaptiveMarch(RunBooks& books, const std::filesystem::path& folde
              .triggers = {},
              .spent = {},
              .counts = {},
+             .edges = {},
              .limits = make_limits(books.simulation)},
       writer_(state_),
       search_(state_),
@@ -68,6 +69,8 @@ AdaptiveMarch::AdaptiveMarch(RunBooks& books, const std::filesystem::path& folde
   state_.follow_front();
   prepare_cracks(state_);
   state_.counts.cells_min = state_.counts.cells_max = num_cells();
+  for (int cell = 0; cell < state_.front.mesh().num_cell_slots(); ++cell)
+    if (state_.front.mesh().is_alive_cell(cell)) state_.measure(cell);
 }
 
 bool AdaptiveMarch::advance(const AdvanceOptions& options) {
@@ -84,6 +87,8 @@ void AdaptiveMarch::fill(RunSummary& summary) {
   summary.counts.inclined = counts.inclined;
   summary.counts.cells_min = counts.cells_min;
   summary.counts.cells_max = counts.cells_max;
+  summary.counts.smallest_cell = state_.edges.shortest * state_.books.simulation.scaling.length;
+  summary.counts.largest_cell = state_.edges.longest * state_.books.simulation.scaling.length;
   const FrontState front = front_state(state_);
   summary.fracture.nucleations = counts.nucleations;
   summary.fracture.extensions = counts.extensions;
@@ -113,6 +118,7 @@ std::vector<std::int32_t> AdaptiveMarch::save(CheckpointContents& contents) cons
   write_vector(stream, std::vector<DefectId>(state_.spent.begin(), state_.spent.end()));
   write_value(stream, state_.num_tested);
   write_value(stream, state_.counts);
+  write_value(stream, state_.edges);
   cracks_.save(stream);
   contents.march = std::move(stream).str();
   contents.cell_facet = state_.sources.facet;
@@ -134,6 +140,7 @@ std::vector<std::int32_t> AdaptiveMarch::load(const CheckpointContents& contents
   state_.spent = {spent.begin(), spent.end()};
   state_.num_tested = read_value<std::int64_t>(stream);
   state_.counts = read_value<AdaptiveCounts>(stream);
+  state_.edges = read_value<EdgeRange>(stream);
   cracks_.load(stream);
   const std::size_t num_slots = state_.front.mesh().num_cell_slots();
   bool fits = contents.cell_element.size() == num_slots && contents.cell_facet.size() == num_slots;

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <vector>
 
 #include "host/adaptive/defect_trigger.hpp"
 #include "host/fracture/crack_edge_state.hpp"
 #include "host/front/adaptive_front.hpp"
+#include "host/mesh/simplex_geometry.hpp"
 #include "host/output/crack_series.hpp"
 #include "host/solver/batch_builder.hpp"
 #include "host/solver/run_books.hpp"
@@ -23,6 +26,12 @@ struct AdaptiveCounts {
   std::int64_t cells_min = 0, cells_max = 0;
 };
 static_assert(sizeof(AdaptiveCounts) == 13 * sizeof(std::int64_t), "checkpoints hold its bytes");
+
+/// Shortest and longest edge that the front ever had.
+struct EdgeRange {
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0;
+};
 
 /// Limits of the case in scaled units.
 struct AdaptiveLimits {
@@ -59,11 +68,23 @@ struct AdaptiveState {
   std::set<DefectId> spent;             ///< defects of the field that made a crack or wait for one
   std::int64_t num_tested = 0;          ///< cells tested by the sampled model
   AdaptiveCounts counts;
+  EdgeRange edges;
   AdaptiveLimits limits;
 
   int num_points() const { return front.mesh().dimension() == 1 ? 1 : books.simulation.degree() + 1; }
   bool has_refinement() const { return books.simulation.settings.adaptivity.enabled; }
   bool has_fracture() const { return books.simulation.settings.fracture.enabled; }
+
+  /// Takes note of a new cell.
+  void measure(std::int32_t cell) {
+    const FrontSimplex simplex = front.mesh().simplex(cell);
+    for (int i = 0; i <= simplex.dimension; ++i)
+      for (int j = 0; j < i; ++j) {
+        const double length = distance(simplex.position[i], simplex.position[j]);
+        edges.shortest = std::min(edges.shortest, length);
+        edges.longest = std::max(edges.longest, length);
+      }
+  }
 
   /// Sizes the arrays to the slots of the front.
   void follow_front() {

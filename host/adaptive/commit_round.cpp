@@ -62,6 +62,7 @@ class RoundCommit {
       if (state_.sources.slot[below.cell] != none) state_.books.store.release(state_.sources.slot[below.cell]);
   }
   void note_new_cell(std::int32_t cell, const ElementRecord& record) {
+    state_.measure(cell);
     new_cells_.push_back({cell, record.max_principal_stress});
   }
 

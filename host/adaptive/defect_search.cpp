@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "host/fracture/defect_tests.hpp"
 
@@ -9,7 +10,7 @@ namespace tentpole {
 namespace {
 
 /// The stress inside a cell may exceed that at its corners; defects up to this multiple of it are looked at.
-constexpr double overshoot = 1.5;
+constexpr double overshoot = 1.25;
 
 /// Barycentric coordinates of a point in a cell.
 std::array<double, 3> barycentric_in(const FrontSimplex& cell, const Point& point) {
@@ -50,6 +51,25 @@ DefectSearch::DefectSearch(AdaptiveState& state)
     field_.emplace(state.books.simulation.dimension(), nucleation.density, *distribution_, nucleation.seed);
 }
 
+/// Defects of the field in a cell up to a strength; none is generated while the weakest is known to be stronger.
+std::vector<Defect> DefectSearch::field_defects(std::int32_t cell, std::span<const Point> corners, double strongest) {
+  if (cell >= std::ssize(memory_)) memory_.resize(state_.front.mesh().num_cell_slots());
+  CellMemory& memory = memory_[cell];
+  if (!std::equal(corners.begin(), corners.end(), memory.corners.begin())) {
+    memory = {};
+    std::ranges::copy(corners, memory.corners.begin());
+  }
+  if (strongest <= memory.searched && strongest < memory.weakest) return {};
+  // Looking further than asked saves the next searches while the stress rises.
+  memory.searched = std::max(memory.searched, 1.5 * strongest);
+  std::vector<Defect> defects = field_->in_simplex(corners, memory.searched);
+  std::erase_if(defects, [&](const Defect& defect) { return state_.spent.contains(defect.id); });
+  memory.weakest = std::numeric_limits<double>::infinity();
+  for (const Defect& defect : defects) memory.weakest = std::min(memory.weakest, defect.strength);
+  std::erase_if(defects, [&](const Defect& defect) { return defect.strength > strongest; });
+  return defects;
+}
+
 std::optional<DefectSearch::Candidate> DefectSearch::candidate(const TestedCell& tested) {
   const Scaling& scaling = state_.books.simulation.scaling;
   const double strongest =
@@ -70,8 +90,8 @@ std::optional<DefectSearch::Candidate> DefectSearch::candidate(const TestedCell&
     candidate.strength.push_back(strength);
   };
   if (field_) {
-    for (const Defect& defect : field_->in_simplex(cell_corners, strongest))
-      if (!state_.spent.contains(defect.id)) add(defect.position, defect.strength, defect.id);
+    for (const Defect& defect : field_defects(tested.cell, cell_corners, strongest))
+      add(defect.position, defect.strength, defect.id);
   } else {
     const DefectTestKey key{settings_.nucleation.seed, state_.front.mesh().cell(tested.cell).serial,
                             state_.num_tested++};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,6 +33,15 @@ class DefectSearch {
     std::vector<DefectTrigger> triggers;  ///< normals still open
     std::vector<double> strength;         ///< [trigger], Pa
   };
+  /// The weakest defect of a cell, as far as it has been looked for: cells are tested at every tent, defects stay. It
+  /// holds for a place, not for a cell, whose corners inclined tents move: then it changes no answer, and runs that
+  /// are resumed without it find the same defects.
+  struct CellMemory {
+    std::array<Point, 3> corners{};
+    double searched = 0;  ///< [Pa]: no weaker defect than `weakest` below this strength
+    double weakest = 0;   ///< [Pa]
+  };
+  std::vector<Defect> field_defects(std::int32_t cell, std::span<const Point> corners, double strongest);
   std::optional<Candidate> candidate(const TestedCell& cell);
   void test(const Candidate& candidate, const double* coefficients, const double* inverse_jacobian);
   PlaneStress stress_at(std::int32_t cell, const Point& position, const double* coefficients,
@@ -42,6 +52,7 @@ class DefectSearch {
   std::optional<StrengthDistribution> distribution_;
   std::optional<DefectField> field_;
   OrthonormalBasis basis_;
+  std::vector<CellMemory> memory_;  ///< [cell slot]
 };
 
 }  // namespace tentpole

@@ -15,9 +15,9 @@ constexpr int max_tries = 200;
 /// A branch leaves the crack at this angle at least.
 constexpr double branch_cosine = 0.866;  // 30 degrees
 /// An existing edge is taken where its direction is off by this much at most; otherwise the opposite edge is cut.
-constexpr double edge_cosine = 0.985;  // 10 degrees
+constexpr double edge_cosine = 0.94;  // 20 degrees
 /// Cuts keep this distance from the ends of an edge.
-constexpr double smallest_fraction = 0.15;
+constexpr double smallest_fraction = 0.3;
 
 Point direction_between(const FrontMesh& mesh, std::int32_t from, std::int32_t to) {
   const Point step = difference(mesh.position(to), mesh.position(from));

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "host/adaptive/plan_patch.hpp"
 #include "common/status.hpp"
+#include "host/adaptive/plan_patch.hpp"
 #include "host/solver/host_batch.hpp"
 
 namespace tentpole {

@@ -30,6 +30,12 @@ CellPart part_of(const CellSplit& split, int dropped, int num_corners) {
 
 }  // namespace
 
+/// Whether a part has not been cut again by the closure that made it.
+bool Refinement::is_current(const CellSplit& split, int side) const {
+  const FrontMesh& mesh = state_.front.mesh();
+  return mesh.is_alive_cell(split.child[side]) && mesh.cell(split.child[side]).serial == split.child_serial[side];
+}
+
 bool Refinement::split(const FootprintCell& cell) {
   const FrontMesh& mesh = state_.front.mesh();
   if (!mesh.is_alive_cell(cell.cell) || mesh.cell(cell.cell).serial != cell.serial) return true;
@@ -63,6 +69,8 @@ void Refinement::follow(const SplitOutcome& outcome) {
 
 void Refinement::follow_cell(const CellSplit& split, std::int32_t source, std::int32_t facet) {
   state_.memory[split.vertex] = {};
+  for (int side = 0; side < 2; ++side)
+    if (is_current(split, side)) state_.measure(split.child[side]);
   if (source == none) {
     for (const std::int32_t child : split.child) state_.sources.slot[child] = none;
     return;

@@ -28,6 +28,7 @@ class Refinement {
   void follow(const SplitOutcome& outcome);
   void follow_cell(const CellSplit& split, std::int32_t source, std::int32_t facet);
   void follow_crack(const EdgeSplit& split);
+  bool is_current(const CellSplit& split, int side) const;
 
   AdaptiveState& state_;
   std::vector<std::vector<TransplantRequest>> generations_;  ///< those that read parts of an earlier one come later

@@ -67,7 +67,8 @@ std::string work_text(const Simulation& simulation, int num_threads) {
   const double d = simulation.dimension() + 1, num_unknowns = tables.view().num_unknowns;
   const double store = simulation.mesh.num_cells() * (num_unknowns + d * d) * sizeof(double);
   const double scratch =
-      static_cast<double>(patch_scratch_size(tables.view(), PatchDescriptor{0, tents.largest_patch}, 1)) * num_threads * sizeof(double);
+      static_cast<double>(patch_scratch_size(tables.view(), PatchDescriptor{0, tents.largest_patch}, 1)) * num_threads *
+      sizeof(double);
   const std::string about = tents.is_exact ? "" : "about ";
   return "work\n" +
          text_table({{"patches", about + count_text(tents.patches) + ", at most " +

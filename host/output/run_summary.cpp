@@ -81,7 +81,6 @@ void add_times(const RunSummary& summary, Json& json, NumberWriter& numbers) {
   const double total = summary.stages.total.seconds;
   const auto stages = named_stages(summary.stages);
   for (const auto& [name, stage] : stages) numbers.put(json, "time_s", name, stage.seconds);
-  for (const auto& [name, stage] : stages) json["calls"][name] = stage.calls;
   // A run that took no measurable time has no shares and no rates.
   if (!(total > 0)) return;
   for (const auto& [name, stage] : stages) numbers.put(json, "percent", name, 100 * stage.seconds / total);

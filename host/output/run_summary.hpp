@@ -9,10 +9,9 @@
 
 namespace tentpole {
 
-/// Time spent in one stage and how often it was entered.
+/// Time spent in one stage.
 struct StageTime {
   double seconds = 0;
-  std::int64_t calls = 0;
 };
 
 /// Everything in summary.json (docs/results.md). Units: s, J (per unit of the missing dimensions), m, bytes.

@@ -22,6 +22,8 @@ bool FixedMarch::advance(const AdvanceOptions& options) {
 
 void FixedMarch::fill(RunSummary& summary) {
   summary.counts.cells_min = summary.counts.cells_max = num_cells();
+  summary.counts.smallest_cell = books_.simulation.smallest_edge;
+  summary.counts.largest_cell = books_.simulation.largest_edge;
 }
 
 std::vector<std::int32_t> FixedMarch::save(CheckpointContents& contents) const {

@@ -50,7 +50,7 @@ void Ledger::mark_wanted(HostBatch& batch) const {
     std::array<double, 3> lower, upper;
     for (int axis = 0; axis < dimension; ++axis) {
       lower[axis] = upper[axis] = element.corner[0][axis];
-      for (int corner = 1; corner <= dimension; ++corner) {
+      for (int corner = 1; corner <= dimension + 1; ++corner) {
         lower[axis] = std::min(lower[axis], element.corner[corner][axis]);
         upper[axis] = std::max(upper[axis], element.corner[corner][axis]);
       }

@@ -163,6 +163,52 @@ void add_fields(const Case& settings, SettingList& list) {
   if (settings.exact_displacement) list.add("exact.displacement", expression_text(*settings.exact_displacement));
 }
 
+void add_adaptivity(const AdaptivitySettings& adaptivity, SettingList& list) {
+  if (!adaptivity.enabled) return list.add("adaptivity", "off");
+  list.add("adaptivity.error_tolerance", adaptivity.error_tolerance);
+  list.add("adaptivity.min_size", adaptivity.min_size);
+  list.add("adaptivity.max_size", adaptivity.max_size);
+  list.add("adaptivity.coarsening", adaptivity.coarsening);
+  if (adaptivity.reference_energy) list.add("adaptivity.reference_energy", *adaptivity.reference_energy);
+}
+
+void add_nucleation(const NucleationSettings& nucleation, SettingList& list) {
+  const std::string key = "fracture.nucleation.";
+  list.add(key + "model", std::to_string(static_cast<int>(nucleation.model)));
+  if (nucleation.model == NucleationModel::nowhere) return;
+  list.add(key + "distribution", std::to_string(static_cast<int>(nucleation.distribution)));
+  list.add(key + "seed", std::to_string(nucleation.seed));
+  list.add(key + "density", nucleation.density);
+  list.add(key + "minimum", nucleation.minimum);
+  list.add(key + "maximum", nucleation.maximum);
+  list.add(key + "mean", nucleation.mean);
+  list.add(key + "tail_strength", nucleation.tail_strength);
+  list.add(key + "tail_probability", nucleation.tail_probability);
+  list.add(key + "weibull_modulus", nucleation.weibull_modulus);
+  list.add(key + "weibull_scale", nucleation.weibull_scale);
+}
+
+void add_fracture(const FractureSettings& fracture, SettingList& list) {
+  if (!fracture.enabled) return list.add("fracture", "off");
+  list.add("fracture.threshold", fracture.threshold);
+  list.add("fracture.strength", fracture.strength);
+  list.add("fracture.relaxation_time", fracture.relaxation_time);
+  list.add("fracture.delay_exponent", fracture.delay_exponent);
+  list.add("fracture.shear_factor", fracture.shear_factor);
+  list.add("fracture.friction", fracture.friction);
+  list.add("fracture.max_damage_step", fracture.max_damage_step);
+  if (fracture.process_zone_size) list.add("fracture.process_zone_size", *fracture.process_zone_size);
+  int number = 0;
+  for (const CrackSettings& crack : fracture.cracks) {
+    const std::string key = "fracture.crack " + std::to_string(++number);
+    std::string points;
+    for (const auto& point : crack.points) points += list_text(point) + " ";
+    list.add(key + " points", points);
+    list.add(key + " damage", crack.damage);
+  }
+  add_nucleation(fracture.nucleation, list);
+}
+
 void add_output(const OutputSettings& output, SettingList& list) {
   list.add("output.snapshots", list_text(output.snapshot_times));
   std::string fields;
@@ -190,6 +236,8 @@ std::vector<Setting> result_settings(const Simulation& simulation) {
   add_materials(settings, list);
   add_boundaries(simulation, list);
   add_fields(settings, list);
+  add_adaptivity(settings.adaptivity, list);
+  add_fracture(settings.fracture, list);
   add_output(settings.output, list);
   return list.take();
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "host/mesh/box_mesh.hpp"
 #include "host/mesh/gmsh_file.hpp"
@@ -73,13 +75,17 @@ Scaling make_scaling(const SpaceMesh& mesh, const std::vector<Material>& materia
   return scaling;
 }
 
-double smallest_edge(const SpaceMesh& mesh) {
-  double smallest = std::numeric_limits<double>::infinity();
+/// Shortest and longest edge.
+std::pair<double, double> edge_range(const SpaceMesh& mesh) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (int cell = 0; cell < mesh.num_cells(); ++cell)
     for (int i = 0; i <= mesh.dimension; ++i)
-      for (int j = 0; j < i; ++j)
-        smallest = std::min(smallest, distance(mesh.corner_position(cell, i), mesh.corner_position(cell, j)));
-  return smallest;
+      for (int j = 0; j < i; ++j) {
+        const double length = distance(mesh.corner_position(cell, i), mesh.corner_position(cell, j));
+        smallest = std::min(smallest, length);
+        largest = std::max(largest, length);
+      }
+  return {smallest, largest};
 }
 
 }  // namespace
@@ -93,7 +99,7 @@ Simulation make_simulation(Case settings) {
     simulation.materials.push_back(settings.material(settings.materials.count(name) ? name : "all"));
   for (const std::string& name : mesh.boundary_names) simulation.conditions.push_back(settings.boundaries.at(name));
   simulation.scaling = make_scaling(mesh, simulation.materials);
-  simulation.smallest_edge = smallest_edge(mesh);
+  std::tie(simulation.smallest_edge, simulation.largest_edge) = edge_range(mesh);
   mesh.scale_lengths(1 / simulation.scaling.length);
   for (const Material& material : simulation.materials)
     simulation.scaled_materials.push_back(simulation.scaling.scaled(material));

@@ -19,6 +19,7 @@ struct Simulation {
   std::vector<BoundaryCondition> conditions;  ///< [boundary]
   std::vector<double> cell_wave_speed;        ///< [cell], scaled c_p
   double smallest_edge = 0;                   ///< [m]
+  double largest_edge = 0;                    ///< [m]
   std::vector<std::string> warnings;          ///< of case and mesh
 
   int dimension() const { return mesh.dimension; }

@@ -111,7 +111,7 @@ point = [1.0, 1.0, 1.0]
 
 std::string lasting_part(const std::string& summary) {
   auto json = nlohmann::json::parse(summary);
-  for (const char* key : {"time_s", "percent", "rates", "calls", "traffic", "machine", "threads"}) json.erase(key);
+  for (const char* key : {"time_s", "percent", "rates", "traffic", "machine", "threads"}) json.erase(key);
   json["counts"].erase("batches");
   return json.dump(1);
 }
