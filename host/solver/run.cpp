@@ -179,6 +179,7 @@ void Run::count_total_time() {
 RunSummary Run::summary() {
   count_total_time();
   RunSummary summary;
+  summary.warnings = simulation_.warnings;
   ledger_.fill(summary);
   march_->fill(summary);
   summary.threads = runner_.num_threads();
@@ -190,7 +191,6 @@ RunSummary Run::summary() {
   summary.device = options_.device.is_host ? "host" : options_.device.name;
   summary.seed = simulation_.settings.domain.seed;
   summary.traffic = {traffic_.bytes_to_device, traffic_.bytes_from_device, traffic_.launches};
-  summary.warnings = simulation_.warnings;
   if (summary.counts.dense_fallbacks > 0)
     summary.warnings.push_back(
         std::to_string(summary.counts.dense_fallbacks) +

@@ -55,6 +55,14 @@ class Examples(ProgramTest):
         for value in self.between("r/probe_mid.csv", "sxx", 0, arrival - 5e-9):
             self.assertLess(abs(value), 0.1 * stress)
 
+    def test_spall_bar_nucleates_only_after_the_waves_have_met(self):
+        # One wave of 200.5 MPa breaks nothing (weakest defect 220 MPa); at 56.1 ns they meet and the stress doubles.
+        before = self.run_example("spall_bar", "--set", "time.end=5.5e-8", "--set", "output.snapshots=1")
+        self.assertEqual(before["fracture"]["nucleations"], 0)
+        after = self.run_example("spall_bar", "--set", "time.end=6.1e-8", "--set", "output.snapshots=1", out="after")
+        self.assertGreater(after["fracture"]["nucleations"], 0)
+        self.assertLess(after["counts"]["rejected"], 0.15 * after["counts"]["patches"])
+
     def test_two_material_reflection_gives_the_impedance_coefficients(self):
         self.run_example("two_material_reflection")
         soft = self.between("r/probe_soft.csv", "sxx", 0.0, 0.5)
