@@ -63,7 +63,7 @@ void crack_tents(TentBatch& batch, const CrackState& state, std::mt19937& genera
   for (PatchDescriptor& patch : batch.patches) {
     std::vector<InteriorFacet> facets = interior_facets(batch, patch);
     std::shuffle(facets.begin(), facets.end(), generator);
-    facets.resize(std::min<std::size_t>(facets.size(), 2));
+    if (facets.size() > 2) facets.erase(facets.begin() + 2, facets.end());
     patch.first_fracture = static_cast<std::int32_t>(batch.fracture_facets.size());
     patch.num_fractures = static_cast<std::int32_t>(facets.size());
     for (const InteriorFacet& facet : facets)
