@@ -213,12 +213,13 @@ TEST_P(FractureDense, CondensedEqualsDenseAtGivenDamage) {
         for (int mode = 0; mode < 3; ++mode) modes[mode] += record.mode_points[mode];
       keep_settled(batch);
       compared += batch.patches.size();
-      if (!batch.patches.empty()) EXPECT_LT(compare_with_dense(batch, frozen(batch)).energy, 1e-11);
+      if (batch.patches.empty()) continue;
+      EXPECT_LT(compare_with_dense(batch, frozen(batch)).energy, 1e-11);
     }
   EXPECT_GE(compared, 20u);
   EXPECT_GT(modes[0], 0);
   EXPECT_GT(modes[1], 0);
-  if (std::get<0>(GetParam()) == 2) EXPECT_GT(modes[2], 0);
+  EXPECT_TRUE(std::get<0>(GetParam()) == 1 || modes[2] > 0);
 }
 
 /// The solution fits the damage that its own tractions cause, to the tolerance of the damage loop.

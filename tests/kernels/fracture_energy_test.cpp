@@ -51,7 +51,7 @@ TEST_P(FractureEnergy, BalancesWhileDamageGrows) {
         }
       }
   EXPECT_GT(growth, 0.3);
-  if (dimension() == 2 && degree() > 1) EXPECT_GT(friction, 0);
+  EXPECT_TRUE(dimension() == 1 || degree() == 1 || friction > 0);
   EXPECT_LT(rounds / facets, 9);
 }
 

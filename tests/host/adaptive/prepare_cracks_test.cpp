@@ -160,9 +160,9 @@ TEST_P(FittedLine, RunAlongEdgesFromEndToEnd) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, FittedLine, ::testing::Combine(::testing::Bool(), ::testing::Range(0, 5)),
-                         [](const auto& info) {
-                           return std::string(std::get<0>(info.param) ? "Structured" : "Unstructured") +
-                                  std::to_string(std::get<1>(info.param));
+                         [](const auto& variant) {
+                           return std::string(std::get<0>(variant.param) ? "Structured" : "Unstructured") +
+                                  std::to_string(std::get<1>(variant.param));
                          });
 
 TEST(FittedLines, MayCross) {

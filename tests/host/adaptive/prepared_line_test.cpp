@@ -73,8 +73,9 @@ TEST_P(PreparedLine, IsDamagedAsTheLawSaysUnderTheIncomingWaves) {
 INSTANTIATE_TEST_SUITE_P(, PreparedLine,
                          ::testing::Values(Variant{1, 2, 1e-2}, Variant{1, 3, 4e-3}, Variant{2, 2, 1e-2},
                                            Variant{2, 3, 4e-3}),
-                         [](const auto& info) {
-                           return "D" + std::to_string(info.param.dimension) + "k" + std::to_string(info.param.degree);
+                         [](const auto& variant) {
+                           return "D" + std::to_string(variant.param.dimension) + "k" +
+                                  std::to_string(variant.param.degree);
                          });
 
 /// A bar strained by 0.9 and held at its ends: until waves from the surface return, those that come in are constant.
