@@ -2,6 +2,9 @@
 import math
 import subprocess
 
+import h5py
+import numpy
+
 from program import SOURCE, ProgramTest, main
 
 
@@ -62,6 +65,26 @@ class Examples(ProgramTest):
         after = self.run_example("spall_bar", "--set", "time.end=6.1e-8", "--set", "output.snapshots=1", out="after")
         self.assertGreater(after["fracture"]["nucleations"], 0)
         self.assertLess(after["counts"]["rejected"], 0.15 * after["counts"]["patches"])
+
+    def test_spall_plate_takes_the_work_of_waves_from_four_edges(self):
+        # rho c_p v^2 on four edges of 1 mm; the ramp of 2 ns counts as 2 ns times the mean of its square, 13/35.
+        energy = self.run_example("spall_plate", "--set", "time.end=5e-9", "--set", "domain.cells=[10,10]", "--set",
+                                  "output.snapshots=1")["energy"]
+        speed = math.sqrt(260e9 / (1 - 0.21**2) / 3690)
+        work = 4e-3 * 3690 * speed * 6.1**2 / 2 * (3e-9 + 2e-9 * 13 / 35)
+        self.assertAlmostEqual(energy["external_work"], work, delta=0.05 * work)
+
+    def test_crack_under_step_wave_has_freunds_stress_intensity(self):
+        self.run_example("crack_under_step_wave", "--set", "adaptivity.error_tolerance=1e-6", "--set",
+                         "adaptivity.min_size=0.03", "--set", "output.times=[4.01]")
+        with h5py.File(self.folder / "r/cracks_0000.vtkhdf") as cracks:
+            distance = -cracks["VTKHDF/Points"][:, 0]
+            opening = cracks["VTKHDF/PointData/opening"][:]
+        near = (distance > 0.06) & (distance < 0.4)
+        apparent = opening[near] * 0.8333333333333334 / (8 * (1 - 0.25**2)) / numpy.sqrt(distance[near] / (2 * math.pi))
+        intensity = numpy.polyfit(distance[near], apparent, 1)[1]
+        exact = 2 * math.sqrt(2.0 * (1 - 2 * 0.25) / math.pi) / (1 - 0.25)
+        self.assertAlmostEqual(intensity, exact, delta=0.06 * exact)
 
     def test_two_material_reflection_gives_the_impedance_coefficients(self):
         self.run_example("two_material_reflection")

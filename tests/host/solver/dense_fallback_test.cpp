@@ -41,11 +41,11 @@ void after_some_batches(const Simulation& simulation, const Inspect& inspect) {
   inspect(batch, runner);
 }
 
-std::vector<std::int32_t> source_slots(const HostBatch& batch, const PatchDescriptor& patch) {
+std::vector<std::int32_t> source_slots(const HostBatch& batch, const PatchDescriptor& patch, int dimension) {
   std::vector<std::int32_t> slots;
   for (int e = patch.first_element; e < patch.first_element + patch.num_elements; ++e)
-    for (const std::int32_t slot : batch.elements[e].source_slot)
-      if (slot != none) slots.push_back(slot);
+    for (int facet = 0; facet <= dimension + 1; ++facet)
+      if (has_source(batch.elements[e], facet)) slots.push_back(batch.elements[e].source_slot[facet]);
   return slots;
 }
 
@@ -57,7 +57,7 @@ TEST_P(DenseFallbackTest, GivesWhatThePatchSolverGives) {
   after_some_batches(simulation, [&](HostBatch& batch, BatchRunner& runner) {
     const PatchDescriptor patch = batch.patches.front();
     std::vector<double> coefficients, inverse_jacobians, solved, solved_jacobians;
-    const std::vector<std::int32_t> sources = source_slots(batch, patch);
+    const std::vector<std::int32_t> sources = source_slots(batch, patch, GetParam());
     runner.read_slots(sources, coefficients, inverse_jacobians);
     const std::vector<ElementRecord> before = batch.records;
     for (int e = 0; e < patch.num_elements; ++e)
