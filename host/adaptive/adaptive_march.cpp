@@ -39,6 +39,7 @@ AdaptiveLimits make_limits(const Simulation& simulation) {
   if (settings.fracture.enabled) {
     const double zone = settings.fracture.process_zone_size.value_or(scaling.speed * settings.fracture.relaxation_time);
     limits.crack_size = zone / 4 / scaling.length;
+    limits.law = scaled_fracture_law(simulation);
     limits.max_pole_height = settings.fracture.max_damage_step * settings.fracture.relaxation_time / scaling.time();
   }
   return limits;
@@ -57,6 +58,7 @@ AdaptiveMarch::AdaptiveMarch(RunBooks& books, const std::filesystem::path& folde
              .pending = {},
              .triggers = {},
              .spent = {},
+             .first_nucleation = {},
              .counts = {},
              .edges = {},
              .limits = make_limits(books.simulation)},
@@ -95,6 +97,14 @@ void AdaptiveMarch::fill(RunSummary& summary) {
   summary.fracture.branches = counts.branches;
   summary.fracture.coalescences = counts.coalescences;
   summary.fracture.crack_length = front.crack_length;
+  summary.fracture.surface_length = front.surface_length;
+  if (state_.first_nucleation.time >= 0) {
+    const Scaling& scaling = state_.books.simulation.scaling;
+    RunSummary::FirstNucleation first{.time = state_.first_nucleation.time * scaling.time()};
+    for (int i = 0; i < state_.front.mesh().dimension(); ++i)
+      first.position[i] = state_.first_nucleation.position[i] * scaling.length;
+    summary.fracture.first_nucleation = first;
+  }
   summary.fracture.damage_mean = front.damage_mean;
   summary.fracture.damage_max = front.damage_max;
   if (state_.has_fracture()) summary.fracture.fragments = fragments_in_motion(state_);
@@ -116,6 +126,7 @@ std::vector<std::int32_t> AdaptiveMarch::save(CheckpointContents& contents) cons
   write_vector(stream, state_.pending);
   write_vector(stream, state_.triggers);
   write_vector(stream, std::vector<DefectId>(state_.spent.begin(), state_.spent.end()));
+  write_value(stream, state_.first_nucleation);
   write_value(stream, state_.num_tested);
   write_value(stream, state_.counts);
   write_value(stream, state_.edges);
@@ -138,6 +149,7 @@ std::vector<std::int32_t> AdaptiveMarch::load(const CheckpointContents& contents
   state_.triggers = read_vector<DefectTrigger>(stream);
   const std::vector<DefectId> spent = read_vector<DefectId>(stream);
   state_.spent = {spent.begin(), spent.end()};
+  state_.first_nucleation = read_value<FirstNucleation>(stream);
   state_.num_tested = read_value<std::int64_t>(stream);
   state_.counts = read_value<AdaptiveCounts>(stream);
   state_.edges = read_value<EdgeRange>(stream);

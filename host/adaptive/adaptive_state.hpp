@@ -33,13 +33,20 @@ struct EdgeRange {
   double longest = 0;
 };
 
+/// Where and when the first defect made a crack; scaled.
+struct FirstNucleation {
+  double time = -1;  ///< of the front there; -1: there is none yet
+  Point position{};
+};
+
 /// Limits of the case in scaled units.
 struct AdaptiveLimits {
   double tolerance = 0;        ///< dissipation of one element
   double min_size = 0;         ///< cells whose longest edge is at most this are not refined
   double max_size = 0;         ///< coarsening makes no longer edge
-  double crack_size = 0;       ///< longest edge of cells at a crack whose damage may still grow
+  double crack_size = 0;       ///< longest edge of cells at a crack whose damage grows
   double max_pole_height = 0;  ///< of vertices on such a crack: damage changes by at most max_damage_step
+  FractureLaw law{};           ///< of all cracks
 };
 
 /// What a vertex remembers from patch to patch.
@@ -66,7 +73,8 @@ struct AdaptiveState {
   std::vector<PendingSplit> pending;
   std::vector<DefectTrigger> triggers;  ///< defects that have given way and wait for their crack
   std::set<DefectId> spent;             ///< defects of the field that made a crack or wait for one
-  std::int64_t num_tested = 0;          ///< cells tested by the sampled model
+  FirstNucleation first_nucleation;
+  std::int64_t num_tested = 0;  ///< cells tested by the sampled model
   AdaptiveCounts counts;
   EdgeRange edges;
   AdaptiveLimits limits;
@@ -98,10 +106,10 @@ struct AdaptiveState {
   }
 };
 
-/// Whether damage may still grow on a crack edge at this vertex.
+/// Whether damage grows, or is about to, on a crack edge at this vertex.
 inline bool touches_active_crack(const AdaptiveState& state, int vertex) {
   for (const std::int32_t edge : state.front.cracks().at(vertex))
-    if (!has_failed(state.crack_state[edge])) return true;
+    if (is_active(state.crack_state[edge], state.limits.law)) return true;
   return false;
 }
 

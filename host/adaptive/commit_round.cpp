@@ -93,6 +93,7 @@ class RoundCommit {
       crack.damage[point] = record.damage[point];
       crack.gap[point] = record.gap[point];
     }
+    crack.effective_traction = record.largest_effective_traction;
     const auto most = std::max_element(record.mode_points, record.mode_points + 3) - record.mode_points;
     state_.crack_mode[edge] = static_cast<CrackMode>(most);
   }
@@ -197,7 +198,7 @@ class RoundCommit {
     throw std::runtime_error(text);
   }
 
-  /// Cells at a crack whose damage may still grow are kept small.
+  /// Cells at a crack whose damage grows are kept small.
   void refine_at_cracks(const RoundPatch& patch) {
     if (!mesh().is_alive_vertex(patch.plan.vertex)) return;
     std::vector<FootprintCell> large;

@@ -83,6 +83,7 @@ FrontState front_state(const AdaptiveState& state) {
     result.crack_length += measure * failed_fraction(crack);
     result.damage_max = std::max(result.damage_max, largest_damage(crack));
   }
+  result.surface_length = length;
   result.damage_mean = length > 0 ? weighted / length : 0;
   result.nucleations = state.counts.nucleations;
   result.extensions = state.counts.extensions;

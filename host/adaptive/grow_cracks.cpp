@@ -90,12 +90,16 @@ class CrackMaker {
         vertices, {}, [&](std::int32_t vertex) { return distance(mesh().position(vertex), trigger.position); });
   }
 
+  void count_nucleation(const DefectTrigger& trigger, std::int32_t vertex) {
+    if (state_.counts.nucleations++ == 0) state_.first_nucleation = {mesh().time(vertex), trigger.position};
+  }
+
   bool nucleate_vertex(const DefectTrigger& trigger, std::int32_t cell) {
     const std::int32_t vertex = nearest_vertex(trigger, cell);
     if (is_on_boundary(mesh(), vertex) || state_.front.crack_edge(vertex, vertex) != none) return true;
     state_.front.mark_crack(vertex, vertex);
     state_.follow_front();
-    ++state_.counts.nucleations;
+    count_nucleation(trigger, vertex);
     return true;
   }
 
@@ -163,7 +167,7 @@ class CrackMaker {
   bool nucleate(const DefectTrigger& trigger, std::int32_t vertex) {
     const Point way = along(trigger, 0);
     const bool first = add_edge(vertex, way), second = add_edge(vertex, {-way[0], -way[1], 0});
-    if (first || second) ++state_.counts.nucleations;
+    if (first || second) count_nucleation(trigger, vertex);
     return first || second;
   }
 
@@ -179,16 +183,24 @@ class CrackMaker {
         best = cosine;
         end = candidate;
       }
-    if (end == none) {
-      const double fraction = std::clamp(exit->fraction, smallest_fraction, 1 - smallest_fraction);
-      end = refinement_.split_edge(exit->first, exit->second, fraction);
-    }
+    if (end == none) end = cut_or_nearest(*exit, vertex, direction);
     if (end == none || !is_free_edge(vertex, end)) return false;
     const bool joins = !state_.front.cracks().at(end).empty() || is_on_boundary(mesh(), end);
     state_.front.mark_crack(vertex, end);
     state_.follow_front();
     if (joins) ++state_.counts.coalescences;
     return true;
+  }
+
+  /// A new vertex on the opposite edge; where that would leave pieces shorter than half the least size of cells, the
+  /// end of the edge that is nearest to the direction.
+  std::int32_t cut_or_nearest(const RayExit& exit, std::int32_t vertex, const Point& direction) {
+    const double fraction = std::clamp(exit.fraction, smallest_fraction, 1 - smallest_fraction);
+    const double length = distance(mesh().position(exit.first), mesh().position(exit.second));
+    if (std::min(fraction, 1 - fraction) * length >= state_.limits.min_size / 2)
+      return refinement_.split_edge(exit.first, exit.second, fraction);
+    const auto cosine = [&](std::int32_t end) { return dot(direction_between(mesh(), vertex, end), direction); };
+    return cosine(exit.first) >= cosine(exit.second) ? exit.first : exit.second;
   }
 
   /// Inside the domain and no crack yet.

@@ -5,6 +5,9 @@
 namespace tentpole {
 namespace {
 
+/// Part of max_damage_step by which damage may grow in cells that are larger than those at cracks should be.
+constexpr double coarse_damage_step = 0.05;
+
 bool is_tent(const PatchPlan& plan) {
   return plan.operation == PatchOperation::tent || plan.operation == PatchOperation::inclined_tent;
 }
@@ -39,6 +42,25 @@ void judge_dissipation(const AdaptiveState& state, const PatchPlan& plan, const 
       largest < state.books.simulation.settings.adaptivity.coarsening * state.limits.tolerance && is_tent(plan);
 }
 
+/// Damage that grows needs cells of crack_size and steps of max_damage_step. A surface at rest may have had larger
+/// ones.
+void judge_damage(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch,
+                  const PatchDescriptor& patch, PatchVerdict& verdict) {
+  const double limit = state.books.simulation.settings.fracture.max_damage_step;
+  double change = 0;
+  for (int f = 0; f < patch.num_fractures; ++f)
+    change = std::max(change, batch.fracture_records[patch.first_fracture + f].largest_damage_change);
+  if (change > 1.0001 * limit && state.memory[plan.vertex].halvings < max_halvings) {
+    verdict.is_accepted = false;
+    verdict.shorten = true;
+  }
+  if (!state.has_refinement() || !(change > coarse_damage_step * limit)) return;
+  const double size = 1.0001 * std::max(state.limits.crack_size, state.limits.min_size);
+  for (const FootprintCell& cell : plan.footprint)
+    if (longest_edge(state.front.mesh().simplex(cell.cell)) > size) verdict.refine.push_back(cell);
+  if (!verdict.refine.empty()) verdict.is_accepted = false;
+}
+
 }  // namespace
 
 PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch_index) {
@@ -49,13 +71,7 @@ PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, cons
     return verdict;
   }
   if (state.has_refinement()) judge_dissipation(state, plan, batch, patch, verdict);
-  for (int f = 0; f < patch.num_fractures; ++f)
-    if (batch.fracture_records[patch.first_fracture + f].largest_damage_change >
-            1.0001 * state.books.simulation.settings.fracture.max_damage_step &&
-        state.memory[plan.vertex].halvings < max_halvings) {
-      verdict.is_accepted = false;
-      verdict.shorten = true;
-    }
+  judge_damage(state, plan, batch, patch, verdict);
   return verdict;
 }
 

@@ -40,14 +40,17 @@ std::span<const double> damage_of(const CrackEdgeState& edge) {
 }  // namespace
 
 CrackEdgeState uniform_crack_edge(int num_points, double damage) {
-  CrackEdgeState edge{num_points, {}, {}};
+  CrackEdgeState edge;
+  edge.num_points = num_points;
   std::fill_n(edge.damage.begin(), num_points, damage);
   return edge;
 }
 
 CrackEdgeState restrict_to_part(const CrackEdgeState& edge, double begin, double end) {
   const Quadrature& rule = gauss_rule(edge.num_points);
-  CrackEdgeState part{edge.num_points, {}, {}};
+  CrackEdgeState part;
+  part.num_points = edge.num_points;
+  part.effective_traction = edge.effective_traction;
   for (int point = 0; point < edge.num_points; ++point) {
     const double x = begin + (end - begin) * rule.points[point];
     part.damage[point] = std::clamp(interpolate(rule, edge.damage, x), 0.0, 1.0);
@@ -81,6 +84,10 @@ double failed_fraction(const CrackEdgeState& edge) {
 
 bool has_failed(const CrackEdgeState& edge) {
   return smallest_damage(edge) >= failed_damage;
+}
+
+bool is_active(const CrackEdgeState& edge, const FractureLaw& law) {
+  return !has_failed(edge) && target_damage(law, traction_margin * edge.effective_traction) > smallest_damage(edge);
 }
 
 }  // namespace tentpole

@@ -1,13 +1,18 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "common/simplex.hpp"
+#include "kernels/damage_law.hpp"
 
 namespace tentpole {
 
 /// A point with at least this much damage has failed; damage 1 is only approached.
 inline constexpr double failed_damage = 0.999;
+
+/// Damage counts as about to grow where a traction this many times larger than the last would make it grow.
+inline constexpr double traction_margin = 1.25;
 
 /// What a fracture edge of the front carries: values on the front at num_points Gauss points of the unit interval along
 /// the edge, from the vertex of lower id to that of higher id. D = 2: num_points = k + 1. D = 1: the edge is a vertex,
@@ -17,6 +22,8 @@ struct CrackEdgeState {
   int num_points = 1;
   std::array<double, max_degree + 1> damage{};  ///< in [0, 1]
   std::array<double, max_degree + 1> gap{};     ///< a length
+  /// Largest effective traction of the last patch on the edge; none has been solved on a new edge.
+  double effective_traction = std::numeric_limits<double>::infinity();
 };
 
 /// The same damage everywhere on a closed edge.
@@ -36,5 +43,8 @@ double largest_damage(const CrackEdgeState& edge);
 double failed_fraction(const CrackEdgeState& edge);
 /// True if every point has failed.
 bool has_failed(const CrackEdgeState& edge);
+/// True where damage grows or is about to: f(traction_margin times the largest effective traction) exceeds the smallest
+/// damage, and the edge has not failed. A surface that waves have left, or that stands still at D < 1, is at rest.
+bool is_active(const CrackEdgeState& edge, const FractureLaw& law);
 
 }  // namespace tentpole

@@ -20,8 +20,9 @@ struct EnergyFlow {
 
 /// State of the front that is noted in a row when the front has passed its time.
 struct FrontState {
-  double crack_length = 0;  ///< [m^(D-1)], surfaces with D >= 0.999
-  double damage_mean = 0;   ///< over all fracture surfaces present
+  double crack_length = 0;    ///< [m^(D-1)], surfaces with D >= 0.999
+  double surface_length = 0;  ///< [m^(D-1)], all fracture surfaces; no column of the history
+  double damage_mean = 0;     ///< over all fracture surfaces present
   double damage_max = 0;
   std::int64_t nucleations = 0;
   std::int64_t extensions = 0;

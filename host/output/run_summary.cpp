@@ -111,8 +111,12 @@ void add_fracture(const RunSummary::Fracture& fracture, Json& json, NumberWriter
                       {"branches", fracture.branches},
                       {"coalescences", fracture.coalescences}};
   numbers.put(json, "fracture", "crack_length", fracture.crack_length);
+  numbers.put(json, "fracture", "surface_length", fracture.surface_length);
   numbers.put(json, "fracture", "damage_mean", fracture.damage_mean);
   numbers.put(json, "fracture", "damage_max", fracture.damage_max);
+  if (fracture.first_nucleation)
+    json["fracture"]["first_nucleation"] = {{"time", fracture.first_nucleation->time},
+                                            {"position", fracture.first_nucleation->position}};
   json["fracture"]["spalled"] = fracture.spalled();
   json["fracture"]["fragments"] = Json::array();
   for (const RunSummary::Fragment& fragment : fracture.fragments)

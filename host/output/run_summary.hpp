@@ -74,15 +74,22 @@ struct RunSummary {
     std::array<double, 3> mean_velocity{};  ///< [m/s]
   };
 
+  struct FirstNucleation {
+    double time = 0;                   ///< [s], of the front there
+    std::array<double, 3> position{};  ///< [m], of the defect that gave way
+  };
+
   /// At the end of the run.
   struct Fracture {
     std::int64_t nucleations = 0;
     std::int64_t extensions = 0;
     std::int64_t branches = 0;
     std::int64_t coalescences = 0;
-    double crack_length = 0;  ///< [m^(D-1)], surfaces with D >= 0.999
-    double damage_mean = 0;   ///< over all fracture surfaces
+    double crack_length = 0;    ///< [m^(D-1)], surfaces with D >= 0.999
+    double surface_length = 0;  ///< [m^(D-1)], all fracture surfaces
+    double damage_mean = 0;     ///< over all fracture surfaces
     double damage_max = 0;
+    std::optional<FirstNucleation> first_nucleation{};
     std::vector<Fragment> fragments{};  ///< one entry for a body that is whole; empty where nobody looked
     /// Whether a failed surface runs through the whole body.
     bool spalled() const { return fragments.size() > 1; }

@@ -15,18 +15,6 @@ PatchSolverShape solver_shape(const Device& device, int threads) {
   return {threads > 0 ? threads : device.num_threads, 1};
 }
 
-/// The law of the case in scaled units; zero where there is no fracture.
-FractureLaw scaled_fracture_law(const Simulation& simulation) {
-  const FractureSettings& fracture = simulation.settings.fracture;
-  const Scaling& scaling = simulation.scaling;
-  return {fracture.threshold / scaling.stress(),
-          fracture.strength / scaling.stress(),
-          fracture.relaxation_time / scaling.time(),
-          fracture.delay_exponent,
-          fracture.shear_factor,
-          fracture.friction};
-}
-
 }  // namespace
 
 BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,

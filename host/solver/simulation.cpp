@@ -111,4 +111,15 @@ Simulation make_simulation(Case settings) {
   return simulation;
 }
 
+FractureLaw scaled_fracture_law(const Simulation& simulation) {
+  const FractureSettings& fracture = simulation.settings.fracture;
+  const Scaling& scaling = simulation.scaling;
+  return {fracture.threshold / scaling.stress(),
+          fracture.strength / scaling.stress(),
+          fracture.relaxation_time / scaling.time(),
+          fracture.delay_exponent,
+          fracture.shear_factor,
+          fracture.friction};
+}
+
 }  // namespace tentpole

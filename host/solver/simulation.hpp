@@ -5,6 +5,7 @@
 #include "host/case_file/case.hpp"
 #include "host/mesh/space_mesh.hpp"
 #include "host/solver/scaling.hpp"
+#include "kernels/damage_law.hpp"
 
 namespace tentpole {
 
@@ -37,5 +38,8 @@ struct Simulation {
 /// Throws InputError for boundaries without a condition, regions without a material and names that the mesh lacks (all
 /// at once), MeshError for a mesh that cannot be used.
 Simulation make_simulation(Case settings);
+
+/// The law of the case's cracks in scaled units; zero where there is no fracture.
+FractureLaw scaled_fracture_law(const Simulation& simulation);
 
 }  // namespace tentpole

@@ -107,5 +107,39 @@ TEST(CrackEdgeState, VertexOfABarHasOnePoint) {
   EXPECT_EQ(same.gap[0], -1e-6);
 }
 
+FractureLaw law_between(double threshold, double strength) {
+  return {.threshold = threshold,
+          .strength = strength,
+          .relaxation_time = 1,
+          .delay_exponent = 10,
+          .shear_factor = 1,
+          .friction = 0};
+}
+
+TEST(CrackEdgeState, IsActiveWhereDamageGrowsOrIsAboutTo) {
+  const FractureLaw law = law_between(3, 4);
+  CrackEdgeState edge = uniform_crack_edge(3, 0);
+  EXPECT_TRUE(is_active(edge, law)) << "no patch has been solved on a new edge";
+  edge.effective_traction = 3.01 / traction_margin;
+  EXPECT_TRUE(is_active(edge, law));
+  edge.effective_traction = 2.99 / traction_margin;
+  EXPECT_FALSE(is_active(edge, law));
+  // f(3.5) = 1/2 is what this traction drives to; one point that lags is enough
+  edge = uniform_crack_edge(3, 0.51);
+  edge.effective_traction = 3.5 / traction_margin;
+  EXPECT_FALSE(is_active(edge, law));
+  edge.damage[1] = 0.49;
+  EXPECT_TRUE(is_active(edge, law));
+  edge = uniform_crack_edge(3, failed_damage);
+  edge.effective_traction = 100;
+  EXPECT_FALSE(is_active(edge, law)) << "it has failed";
+}
+
+TEST(CrackEdgeState, PartsKeepTheTractionOfTheEdge) {
+  CrackEdgeState edge = uniform_crack_edge(2, 0.25);
+  edge.effective_traction = 7;
+  EXPECT_EQ(restrict_to_part(edge, 0, 0.5).effective_traction, 7);
+}
+
 }  // namespace
 }  // namespace tentpole

@@ -45,6 +45,8 @@ TEST(RunSummary, HoldsRefinementAndFracture) {
   summary.counts.largest_cell = 5e-5;
   summary.energy = {.external_work = 10, .kinetic = 4, .strain = 3, .fracture = 2, .friction = 0.5, .numerical = 0.5};
   summary.fracture = {.nucleations = 2, .extensions = 9, .branches = 1, .coalescences = 1, .crack_length = 2e-4};
+  summary.fracture.surface_length = 3e-4;
+  summary.fracture.first_nucleation = {.time = 6e-8, .position = {1e-4, 2e-4, 0}};
   summary.fracture.damage_mean = 0.75;
   summary.fracture.damage_max = 1;
   write_run_summary(folder.path(), summary);
@@ -58,6 +60,9 @@ TEST(RunSummary, HoldsRefinementAndFracture) {
   EXPECT_EQ(json["counts"]["largest_cell"], 5e-5);
   EXPECT_EQ(json["energy"]["balance_error"], 0);
   EXPECT_EQ(json["fracture"]["extensions"], 9);
+  EXPECT_EQ(json["fracture"]["surface_length"], 3e-4);
+  EXPECT_EQ(json["fracture"]["first_nucleation"]["time"], 6e-8);
+  EXPECT_EQ(json["fracture"]["first_nucleation"]["position"][1], 2e-4);
   EXPECT_EQ(json["fracture"]["damage_mean"], 0.75);
   EXPECT_EQ(json["fracture"]["damage_max"], 1);
   EXPECT_EQ(json["fracture"]["spalled"], false);
