@@ -1,7 +1,11 @@
 #include "bench/sample_patches.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "kernels/larger_or_nan.hpp"
 
 namespace tentpole {
 namespace {
@@ -41,6 +45,22 @@ TentBatch sample_patches(int space_dimension, int degree, int num_elements, int 
     append_tent(batch, tent, material, fields, data, generator);
   }
   return batch;
+}
+
+double polynomial_error(const TentBatch& batch, int num_elements) {
+  const long n = batch.num_unknowns();
+  double error = 0;
+  for (long element = 0; element < num_elements; ++element) {
+    const double* computed = batch.coefficients.data() + batch.elements[element].result_slot * n;
+    const double* exact = batch.exact.data() + element * n;
+    double difference = 0, scale = 0;
+    for (long a = 0; a < n; ++a) {
+      difference = larger_or_nan(difference, std::abs(computed[a] - exact[a]));
+      scale = std::max(scale, std::abs(exact[a]));
+    }
+    error = larger_or_nan(error, difference / scale);
+  }
+  return error;
 }
 
 }  // namespace tentpole

@@ -11,4 +11,8 @@ namespace tentpole {
 /// Throws std::invalid_argument if no star of the dimension has so many cells.
 TentBatch sample_patches(int space_dimension, int degree, int num_elements, int num_patches);
 
+/// Largest coefficient error of the first num_elements elements against the polynomials they were made from, relative
+/// to the largest coefficient of the element; NaN where a coefficient is.
+double polynomial_error(const TentBatch& batch, int num_elements);
+
 }  // namespace tentpole

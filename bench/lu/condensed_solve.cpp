@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "bench/lu/variants.hpp"
-#include "kernels/larger_or_nan.hpp"
 
 namespace tentpole {
 
@@ -43,23 +41,6 @@ std::vector<double> CondensedSolve::solution() const {
     solution.insert(solution.end(), coefficients, coefficients + n);
   }
   return solution;
-}
-
-double CondensedSolve::polynomial_error() const {
-  const TentBatch& batch = systems_->batch;
-  const long n = batch.num_unknowns();
-  double error = 0;
-  for (long element = 0; element < task_.batch.num_elements; ++element) {
-    const double* computed = batch.coefficients.data() + batch.elements[element].result_slot * n;
-    const double* exact = batch.exact.data() + element * n;
-    double difference = 0, scale = 0;
-    for (long a = 0; a < n; ++a) {
-      difference = larger_or_nan(difference, std::abs(computed[a] - exact[a]));
-      scale = std::max(scale, std::abs(exact[a]));
-    }
-    error = larger_or_nan(error, difference / scale);
-  }
-  return error;
 }
 
 double CondensedSolve::flops() const {

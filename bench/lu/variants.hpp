@@ -56,9 +56,6 @@ class CondensedSolve {
   double solve();
   /// Of patch 0.
   std::vector<double> solution() const;
-  /// Of all these patches, against the polynomials they were made from: largest coefficient error over largest
-  /// coefficient.
-  double polynomial_error() const;
   /// Operations of elimination, coupling and recovery of all these patches (flops_per_element less its assembly).
   double flops() const;
 
