@@ -1,0 +1,21 @@
+#pragma once
+
+#include "host/many_core/machine.hpp"
+
+namespace tentpole {
+
+/// Measures the parameters of the model on the machine at hand, in about two seconds, with the loop of row_update.hpp
+/// on a matrix of 990 rows (degree 7 in three dimensions):
+///
+/// - vector_time from rows that stay in the core's cache;
+/// - core_bandwidth from what the whole matrix takes longer, on one core alone;
+/// - shared_bandwidth from what its shares take longer on all cores at once, each thread with rows of its own and
+///   without forks or joins;
+/// - fork and join from loops over one short row per thread, up to the number of cores; `turn` from twice as many
+/// threads;
+/// - the caches and cores from the system. Page walks and arrivals are part of the measured times, so they are 0.
+///
+/// Times are medians. Other programs on the machine spoil them.
+Machine calibrate_machine();
+
+}  // namespace tentpole
