@@ -1,0 +1,62 @@
+"""Drawings of the report: curves over thread counts or degrees, and stacked bars."""
+from plotting import style
+
+plt = style.plt
+COLOURS = ["#1f4e79", "#c0392b", "#2e8b57", "#8e6bbf", "#d98c1f", "#5f6b73", "#0f8b8d"]
+SIZE, RESOLUTION = (6.4, 3.5), 110
+
+
+def curves(series, x_label, y_label, ideal=None, logarithmic=False, marks=()):
+    """A function that draws {label: (xs, ys)}; `ideal` = "speedup" adds the line y = x; `marks` are (x, text)."""
+    def draw(axes):
+        for index, (label, (xs, ys)) in enumerate(series.items()):
+            axes.plot(xs, ys, marker="o" if len(xs) < 40 else None, markersize=3.5, label=label,
+                      color=COLOURS[index % len(COLOURS)])
+        if ideal == "speedup":
+            end = max(max(xs) for xs, _ in series.values())
+            highest = max(max(ys) for _, ys in series.values())
+            axes.plot([1, end], [1, end], color="#999999", linewidth=0.8, linestyle=":", label="ideal")
+            axes.set_ylim(0, 1.15 * max(highest, 1))
+        elif not logarithmic:
+            axes.set_ylim(bottom=0)
+        for x, text in marks:
+            axes.axvline(x, color="#999999", linewidth=0.8, linestyle="--")
+            axes.text(x, axes.get_ylim()[1], text + " ", rotation=90, va="top", ha="right", fontsize=8, color="#555555")
+        if logarithmic:
+            axes.set_yscale("log")
+        if all(float(x).is_integer() for xs, _ in series.values() for x in xs):
+            axes.xaxis.get_major_locator().set_params(integer=True)
+        axes.set_xlabel(x_label)
+        axes.set_ylabel(y_label)
+        axes.grid(axis="y", linewidth=0.4, color="#dddddd")
+        if len(series) > 1 or ideal:
+            axes.legend(fontsize=8, ncols=2 if len(series) > 4 else 1)
+    return draw
+
+
+def shares(bars, stages):
+    """A function that draws {label: values [%] of the stages} as horizontal stacked bars."""
+    def draw(axes):
+        for row, values in enumerate(bars.values()):
+            left = 0
+            for index, value in enumerate(values):
+                axes.barh(row, value, left=left, height=0.6, color=COLOURS[index],
+                          label=stages[index] if row == 0 else None)
+                if value > 8:
+                    axes.text(left + value / 2, row, f"{value:.1f} %", color="white", ha="center", va="center", fontsize=9)
+                left += value
+        axes.set_yticks(range(len(bars)), list(bars))
+        axes.invert_yaxis()
+        axes.set_xlim(0, 100)
+        axes.set_xlabel("share of the time [%]")
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.22), ncols=len(stages), fontsize=8)
+    return draw
+
+
+def write(part, folder):
+    """Draws a part into NAME.png."""
+    figure, axes = plt.subplots(figsize=SIZE)
+    part.draw(axes)
+    axes.set_title(part.nature.upper(), loc="left", fontsize=8, color="#555555")
+    figure.savefig(folder / f"{part.name}.png", dpi=RESOLUTION, bbox_inches="tight", facecolor="white")
+    plt.close(figure)
