@@ -1,0 +1,213 @@
+// Shares of assembly, solution and post-solution in a whole patch, solved the thesis's way with each of its assemblies
+// and LAPACK's dense LU (tables 3.1 to 3.5), and ours.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/assembly/outflow_state.hpp"
+#include "bench/assembly/patch_system.hpp"
+#include "bench/checked_answer.hpp"
+#include "bench/machine_peaks.hpp"
+#include "bench/repeat_timed.hpp"
+#include "bench/run_benchmarks.hpp"
+#include "bench/sample_patches.hpp"
+#include "kernels/dense_patch_solve.hpp"
+#include "kernels/patch_solver.hpp"
+
+namespace tentpole {
+namespace {
+
+constexpr int num_elements = 2;  // K: the thesis says K >= 1, and with 2 the elements couple
+constexpr int space_dimension = 3;
+
+/// Adds all updates of one element to the patch matrix.
+using AssembleElement =
+    std::function<void(const ElementUpdates& updates, int element, MatrixView patch_matrix, int num_threads)>;
+
+struct Stages {
+  double assembly = 0, solution = 0, post = 0;  ///< [s]
+};
+
+/// A patch and all that is computed of it before any clock runs.
+class ProfilePatch {
+ public:
+  explicit ProfilePatch(int the_degree)
+      : degree(the_degree),
+        batch(sample_patches(space_dimension, degree, num_elements, 1)),
+        tables(space_dimension, degree),
+        system(polynomial_patch_system(batch)),
+        solution(system.size) {
+    for (int element = 0; element < num_elements; ++element) updates.emplace_back(tables, batch.view(), element, true);
+    solve_ours();  // for the energies of its records
+  }
+
+  /// The thesis's way.
+  Stages solve(const AssembleElement& assemble, int num_threads) {
+    Stages stages;
+    stages.assembly = seconds_of([&] {
+      matrix.assign(system.matrix.size(), 0.0);
+      for (int element = 0; element < num_elements; ++element)
+        assemble(updates[element], element, {matrix.data(), system.size}, num_threads);
+    });
+    Status status = Status::ok;
+    double residual = 0;
+    stages.solution = seconds_of([&] { status = solve_dense_patch(matrix, system.rhs, solution, residual, scratch); });
+    if (status != Status::ok) require_answer("bench_profile: dense LU", INFINITY, 1e-12);
+    stages.post = seconds_of([&] {
+      for (int element = 0; element < num_elements; ++element)
+        outflow[element] = outflow_state(tables, batch.view(), element, solution.data() + element * num_unknowns());
+    });
+    return stages;
+  }
+
+  /// Ours: the shares of its stages in the wall time of one call.
+  Stages solve_ours() {
+    const ReferenceTables reference_tables(space_dimension, degree);
+    PatchSolverTask task{};
+    StageCycles cycles;
+    task.batch = batch.view();
+    task.tables = reference_tables.view();
+    task.scratch_stride = patch_scratch_size(task.tables, batch.patches, 1);
+    own_scratch.resize(task.scratch_stride);
+    task.scratch = own_scratch.data();
+    task.cycles = &cycles;
+    task.shape = {1, 1};
+    const double seconds = seconds_of([&] { solve_patches_host(task); });
+    const double all = static_cast<double>(cycles.assembly + cycles.solution + cycles.post_solution);
+    return {seconds * cycles.assembly / all, seconds * cycles.solution / all, seconds * cycles.post_solution / all};
+  }
+
+  /// Of the coefficients against the polynomial, and of the outflow energies against those of the patch solver.
+  double error() const {
+    double error = relative_difference(solution, batch.exact);
+    for (int element = 0; element < num_elements; ++element) {
+      const double expected = batch.records[element].outflow_energy;
+      error = std::max(error, relative_difference({&outflow[element].energy, 1}, {&expected, 1}));
+    }
+    return error;
+  }
+  double own_error() const { return polynomial_error(batch, num_elements); }
+
+  int num_unknowns() const { return tables.num_unknowns; }
+
+  int degree;
+  TentBatch batch;
+  CellTables tables;
+  DensePatch system;
+  std::vector<ElementUpdates> updates;
+  std::vector<double> matrix, solution, own_scratch;
+  OutflowState outflow[num_elements];
+  DenseSolveScratch scratch;
+};
+
+ProfilePatch& patch_of(int degree) {
+  static std::unique_ptr<ProfilePatch> current;
+  if (!current || current->degree != degree) {
+    current.reset();
+    current = std::make_unique<ProfilePatch>(degree);
+  }
+  return *current;
+}
+
+void report(benchmark::State& state, const ProfilePatch& patch, const Stages& sum, double error) {
+  const double repetitions = static_cast<double>(state.iterations());
+  const double all = sum.assembly + sum.solution + sum.post;
+  state.counters["n"] = patch.num_unknowns();
+  state.counters["N"] = patch.system.size;
+  state.counters["assembly_%"] = 100 * sum.assembly / all;
+  state.counters["solution_%"] = 100 * sum.solution / all;
+  state.counters["post_%"] = 100 * sum.post / all;
+  state.counters["assembly_s"] = sum.assembly / repetitions;
+  state.counters["solution_s"] = sum.solution / repetitions;
+  state.counters["post_s"] = sum.post / repetitions;
+  state.counters["error"] = error;
+}
+
+/// Repeats `solve`, which returns stages, and sums them up.
+template <class Solve>
+Stages repeat_stages(benchmark::State& state, Solve solve) {
+  Stages sum;
+  repeat_timed(state, [&] {
+    const Stages stages = solve();
+    sum.assembly += stages.assembly;
+    sum.solution += stages.solution;
+    sum.post += stages.post;
+    return stages.assembly + stages.solution + stages.post;
+  });
+  return sum;
+}
+
+void run_thesis(benchmark::State& state, const std::string& name, const AssembleElement& assemble, int degree,
+                int num_threads) {
+  ProfilePatch& patch = patch_of(degree);
+  const Stages sum = repeat_stages(state, [&] { return patch.solve(assemble, num_threads); });
+  const std::string what = "bench_profile: " + name + ", d = 4, k = " + std::to_string(degree);
+  report(state, patch, sum, require_answer(what, patch.error(), 1e-9));
+}
+
+void run_ours(benchmark::State& state, int degree) {
+  ProfilePatch& patch = patch_of(degree);
+  const Stages sum = repeat_stages(state, [&] { return patch.solve_ours(); });
+  const std::string what = "bench_profile: ours, d = 4, k = " + std::to_string(degree);
+  report(state, patch, sum, require_answer(what, patch.own_error(), 1e-9));
+}
+
+struct Assembly {
+  std::string name;
+  int num_threads;
+  AssembleElement assemble;
+};
+
+AssembleElement with(const AddUpdate& add) {
+  return [add](const ElementUpdates& updates, int element, MatrixView matrix, int) {
+    assemble_updates(updates, element, 0, matrix, add);
+  };
+}
+
+std::vector<Assembly> assemblies() {
+  std::vector<Assembly> list{
+      {"library_operators", 1, with(add_with_library_operators)},
+      {"sequential", 1, with(add_sequential)},
+      {"vectorized", 1, with(add_vectorized)},
+      {"threaded_rows", num_cores(), [](const ElementUpdates& updates, int element, MatrixView matrix, int threads) {
+         assemble_updates(updates, element, 0, matrix, [threads](const UpdateRows& update, MatrixView block) {
+           add_threaded_rows(update, block, threads);
+         });
+       }}};
+  if (const std::optional<Device> device = benchmark_device("bench_profile"))
+    list.push_back({"offload_persistent", num_cores(),
+                    [device](const ElementUpdates& updates, int element, MatrixView matrix, int threads) {
+                      TrafficCounters traffic;
+                      assemble_offload_persistent(updates, element, 0, matrix, *device, threads, traffic);
+                    }});
+  return list;
+}
+
+void add(const std::string& variant, int degree, int num_threads, std::function<void(benchmark::State&)> run) {
+  const std::string name = "profile/" + variant + "/d:4/k:" + std::to_string(degree) +
+                           "/K:" + std::to_string(num_elements) + "/threads:" + std::to_string(num_threads);
+  benchmark::RegisterBenchmark(name.c_str(), std::move(run))->Unit(benchmark::kMillisecond)->UseManualTime();
+}
+
+void register_profiles() {
+  const std::vector<Assembly> list = assemblies();
+  for (int degree = 1; degree <= max_degree; ++degree) {
+    for (const Assembly& assembly : list)
+      add(assembly.name, degree, assembly.num_threads, [=](benchmark::State& state) {
+        run_thesis(state, assembly.name, assembly.assemble, degree, assembly.num_threads);
+      });
+    add("ours", degree, 1, [=](benchmark::State& state) { run_ours(state, degree); });
+  }
+}
+
+}  // namespace
+}  // namespace tentpole
+
+int main(int argc, char** argv) {
+  tentpole::register_profiles();
+  return tentpole::run_benchmarks(argc, argv);
+}
