@@ -31,14 +31,16 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-  return values[values.size() / 2];
+/// The time that one call in ten beats: other programs disturb the longer ones.
+double undisturbed(std::vector<double> values) {
+  const auto place = values.begin() + static_cast<long>(values.size() / 10);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
-/// Median time of one call [s], after a warm-up call.
+/// Undisturbed time of one call [s], after a warm-up call.
 template <class Work>
-double median_time(int repetitions, Work work) {
+double time_of(int repetitions, Work work) {
   work();
   std::vector<double> seconds;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
@@ -46,7 +48,7 @@ double median_time(int repetitions, Work work) {
     work();
     seconds.push_back(seconds_since(start));
   }
-  return median(std::move(seconds));
+  return undisturbed(std::move(seconds));
 }
 
 /// A cell matrix and the vectors of one update, all in ordinary memory.
@@ -91,7 +93,7 @@ double shared_row_time(int cores) {
       update_rows(own.update(), 0, share);
       times.push_back(seconds_since(start) / share);
     }
-    row_times[thread] = median(std::move(times));
+    row_times[thread] = undisturbed(std::move(times));
   }
   return *std::max_element(row_times.begin(), row_times.end());
 }
@@ -99,7 +101,7 @@ double shared_row_time(int cores) {
 /// Fork and join of p threads [s]: a loop over one short row per thread.
 double fork_join_time(int threads) {
   const SampleUpdate sample(threads);
-  return median_time(2000, [&] { update_rows_on_threads(sample.update(), threads); });
+  return time_of(2000, [&] { update_rows_on_threads(sample.update(), threads); });
 }
 
 /// fixed + per_thread p by least squares over p = 2..cores, none of them negative.
@@ -140,8 +142,8 @@ Machine calibrate_machine() {
   const SampleUpdate sample(num_rows);
   const double row_size = 8.0 * num_rows, vectors = std::ceil(static_cast<double>(num_rows) / vector_length);
   const int cached_rows = std::clamp(static_cast<int>(0.5 * machine.cache.private_bytes / row_size), 1, num_rows);
-  const double cached = median_time(4000, [&] { update_rows(sample.update(), 0, cached_rows); }) / cached_rows;
-  const double alone = median_time(400, [&] { update_rows(sample.update(), 0, num_rows); }) / num_rows;
+  const double cached = time_of(4000, [&] { update_rows(sample.update(), 0, cached_rows); }) / cached_rows;
+  const double alone = time_of(400, [&] { update_rows(sample.update(), 0, num_rows); }) / num_rows;
   machine.cores.vector_time = rounded(cached / vectors);
   machine.cache.core_bandwidth = bytes_per_second((alone - cached) / row_size);
   const int cores = machine.cores.count;

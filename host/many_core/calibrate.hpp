@@ -15,7 +15,7 @@ namespace tentpole {
 /// threads;
 /// - the caches and cores from the system. Page walks and arrivals are part of the measured times, so they are 0.
 ///
-/// Times are medians. Other programs on the machine spoil them.
+/// Times are those that one repetition in ten beats, because other programs only ever lengthen them.
 Machine calibrate_machine();
 
 }  // namespace tentpole

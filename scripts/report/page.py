@@ -6,11 +6,10 @@ STYLE = """
 :root { color-scheme: light; }
 * { box-sizing: border-box; }
 body { margin: 0; background: #f6f7f9; color: #1b1f24; font: 16px/1.55 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
-main, header { max-width: 62rem; margin: 0 auto; padding: 0 1rem; }
+main, header { max-width: 80rem; margin: 0 auto; padding: 0 1rem; }
 header { padding-top: 1.5rem; }
 h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .5rem; }
 h2 { font-size: 1.15rem; line-height: 1.3; margin: 0 0 .3rem; }
-h3 { font-size: .95rem; margin: 1.2rem 0 .3rem; font-weight: 600; }
 p { margin: .4rem 0; }
 nav { display: flex; flex-wrap: wrap; gap: .35rem; margin: .8rem 0 1.2rem; }
 nav a { padding: .3rem .6rem; background: #fff; border: 1px solid #d5dae1; border-radius: .4rem; text-decoration: none;
@@ -21,19 +20,26 @@ section { background: #fff; border: 1px solid #dfe3e8; border-radius: .6rem; pad
 .measured { background: #dff2e4; color: #14532d; }
 .modelled { background: #fdebc8; color: #6b3d00; }
 .missing { color: #8a2a1a; font-size: .9rem; }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; overflow-wrap: anywhere; }
 table { border-collapse: collapse; font-size: .9rem; margin: .6rem 0; min-width: min(100%, 34rem); }
 th, td { text-align: right; padding: .3rem .6rem; border-bottom: 1px solid #e4e8ec; }
 th:first-child, td:first-child { text-align: left; }
 th { color: #57606a; font-weight: 600; }
-img { display: block; width: 100%; max-width: 44rem; height: auto; margin: .3rem 0; }
+.beside { display: grid; grid-template-columns: minmax(0, 1fr); column-gap: 1.5rem; }
+img { display: block; width: 100%; max-width: 38rem; height: auto; margin: .3rem 0; }
 details { margin: .3rem 0 .6rem; font-size: .88rem; }
 details .scroll { max-height: 22rem; overflow: auto; }
 summary { cursor: pointer; color: #1f4e79; padding: .2rem 0; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1rem; font-size: .9rem; margin: .6rem 0; }
 dt { color: #57606a; } dd { margin: 0; overflow-wrap: anywhere; }
+@media (min-width: 60rem) {
+  .beside { grid-template-columns: minmax(0, 5fr) minmax(0, 6fr); }
+  .beside table { min-width: 0; }
+  header p, section > p { max-width: 62rem; }
+}
 @media (max-width: 30rem) {
-  section { padding: .8rem; } th, td { padding: .3rem .4rem; }
+  section { padding: .8rem; } table { min-width: 100%; } th, td { padding: .3rem .25rem; }
+  td .badge { padding: 0 .35rem; font-size: .7rem; }
   dl { grid-template-columns: 1fr; } dd { margin-bottom: .3rem; }
 }
 """
@@ -60,7 +66,7 @@ def _badge(nature):
 
 
 def _comparison(exhibit):
-    rows = [[escape(what), escape(thesis), escape(here), _badge(nature)] for what, thesis, here, nature in exhibit.comparison]
+    rows = [[escape(what).replace(" = ", "&nbsp;=&nbsp;"), escape(thesis), escape(here), _badge(nature)] for what, thesis, here, nature in exhibit.comparison]
     return _table(["", "thesis", "here", ""], rows) if rows else ""
 
 
@@ -74,16 +80,17 @@ def _image(part, folder, alternative):
 
 def _part(part, exhibit, folder):
     numbers = _table(part.columns, [[escape(str(cell)) for cell in row] for row in part.rows])
-    return (f'<h3>{_badge(part.nature)}</h3>{_image(part, folder, f"{exhibit.title}, {part.nature}")}'
-            f'<p class="source">{escape(part.nature)}: {escape(part.source)}</p>'
+    return (f'{_image(part, folder, f"{exhibit.title}, {part.nature}")}'
+            f'<p class="source">{_badge(part.nature)} {escape(part.source)}</p>'
             f"<details><summary>All {len(part.rows)} rows of {part.name}.csv</summary>{numbers}</details>")
 
 
 def _section(exhibit, folder):
     missing = "".join(f'<p class="missing">{escape(reason)}</p>' for reason in exhibit.missing)
     return (f'<section id="{exhibit.name}"><h2>{exhibit.kind} {exhibit.number}. {escape(exhibit.title)}</h2>'
-            f"<p>{escape(exhibit.caption)}</p>{_comparison(exhibit)}"
-            f'{"".join(_part(part, exhibit, folder) for part in exhibit.parts)}{missing}</section>')
+            f"<p>{escape(exhibit.caption)}</p>"
+            f'<div class="beside"><div>{_comparison(exhibit)}{missing}</div>'
+            f'<div>{"".join(_part(part, exhibit, folder) for part in exhibit.parts)}</div></div></section>')
 
 
 def write_page(exhibits, machine, folder):

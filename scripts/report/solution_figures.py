@@ -21,7 +21,7 @@ def _curves(lu, quantity):
 
 def _variants(lu):
     """Rates of all variants on one thread, for the table below the curves."""
-    return [(f"{b.path[1]}, N = {b['N'] or 0:.0f}, one thread [GF/s]", "–", number(b["GF/s"]), "measured")
+    return [(f"{b.path[1].replace('_', ' ')}, N = {b['N'] or 0:.0f}, one thread [GF/s]", "–", number(b["GF/s"]), "measured")
             for b in lu.find("lu", threads=1) if b["N"] == max(c["N"] or 0 for c in lu.find("lu", threads=1))]
 
 

@@ -32,7 +32,7 @@ def _modelled(model, quantity):
 
 
 def _caption(quantity):
-    kind = "T(1)/T(p)" if quantity == "speedup" else "speedup over p"
+    kind = "Speedup T(1)/T(p)" if quantity == "speedup" else "Efficiency T(1)/(p T(p))"
     return (f"{kind} of one pass over the rows of an n × n matrix on p threads. Measured on this machine; modelled for the "
             "two Xeon X5680 of the thesis, because this machine has other cores.")
 

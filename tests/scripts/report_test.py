@@ -4,6 +4,7 @@ Exit code 77, skipped: matplotlib is not installed.
 """
 import csv
 import html.parser
+import json
 import pathlib
 import re
 import subprocess
@@ -34,7 +35,7 @@ class Page(html.parser.HTMLParser):
 
     def handle_data(self, data):
         if self.current:
-            self.sections[self.current] += data + "|"
+            self.sections[self.current] += data.replace("\N{NO-BREAK SPACE}", " ") + "|"
 
 
 class Report(unittest.TestCase):
@@ -90,6 +91,16 @@ class Report(unittest.TestCase):
     def test_machine_compiler_and_commit_are_named(self):
         for text in ("clang &lt;19&gt;", "abc1234", "virtual_cpu: 2 threads"):
             self.assertIn(text, self.text)
+
+    def test_stopped_driver_keeps_what_it_measured(self):
+        from report import drivers
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "bench_lu.json"
+            whole = json.dumps({"context": {}, "benchmarks": [{"name": "a", "real_time": 1}, {"name": "b", "real_time": 2}]}, indent=2)
+            for cut, kept in ((len(whole) - 9, 1), (whole.index('"a"'), 0)):
+                path.write_text(whole[:cut])
+                self.assertEqual(drivers.close_file(path), kept)
+            self.assertFalse(path.exists())
 
     def test_missing_drivers_leave_a_reason(self):
         with tempfile.TemporaryDirectory() as name:
