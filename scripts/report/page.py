@@ -20,10 +20,11 @@ section { background: #fff; border: 1px solid #dfe3e8; border-radius: .6rem; pad
 .measured { background: #dff2e4; color: #14532d; }
 .modelled { background: #fdebc8; color: #6b3d00; }
 .missing { color: #8a2a1a; font-size: .9rem; }
-.scroll { overflow-x: auto; overflow-wrap: anywhere; }
+.scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .9rem; margin: .6rem 0; min-width: min(100%, 34rem); }
 th, td { text-align: right; padding: .3rem .6rem; border-bottom: 1px solid #e4e8ec; }
 th:first-child, td:first-child { text-align: left; }
+th, td:not(:first-child) { white-space: nowrap; }
 th { color: #57606a; font-weight: 600; }
 .beside { display: grid; grid-template-columns: minmax(0, 1fr); column-gap: 1.5rem; }
 img { display: block; width: 100%; max-width: 38rem; height: auto; margin: .3rem 0; }
