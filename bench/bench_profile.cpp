@@ -21,7 +21,6 @@
 namespace tentpole {
 namespace {
 
-constexpr int num_elements = 2;  // K: the thesis says K >= 1, and with 2 the elements couple
 constexpr int space_dimension = 3;
 
 /// Adds all updates of one element to the patch matrix.
@@ -35,12 +34,14 @@ struct Stages {
 /// A patch and all that is computed of it before any clock runs.
 class ProfilePatch {
  public:
-  explicit ProfilePatch(int the_degree)
+  ProfilePatch(int the_degree, int the_num_elements)
       : degree(the_degree),
+        num_elements(the_num_elements),
         batch(sample_patches(space_dimension, degree, num_elements, 1)),
         tables(space_dimension, degree),
         system(polynomial_patch_system(batch)),
-        solution(system.size) {
+        solution(system.size),
+        outflow(num_elements) {
     for (int element = 0; element < num_elements; ++element) updates.emplace_back(tables, batch.view(), element, true);
     solve_ours();  // for the energies of its records
   }
@@ -94,21 +95,28 @@ class ProfilePatch {
 
   int num_unknowns() const { return tables.num_unknowns; }
 
-  int degree;
+  int degree, num_elements;
   TentBatch batch;
   CellTables tables;
   DensePatch system;
   std::vector<ElementUpdates> updates;
   std::vector<double> matrix, solution, own_scratch;
-  OutflowState outflow[num_elements];
+  std::vector<OutflowState> outflow;  ///< [element]
   DenseSolveScratch scratch;
 };
 
-ProfilePatch& patch_of(int degree) {
+struct Size {
+  int degree, num_elements;
+
+  std::string name() const { return "/d:4/k:" + std::to_string(degree) + "/K:" + std::to_string(num_elements); }
+};
+
+/// The patch of the running benchmark: benchmarks of one size follow each other.
+ProfilePatch& patch_of(const Size& size) {
   static std::unique_ptr<ProfilePatch> current;
-  if (!current || current->degree != degree) {
+  if (!current || current->degree != size.degree || current->num_elements != size.num_elements) {
     current.reset();
-    current = std::make_unique<ProfilePatch>(degree);
+    current = std::make_unique<ProfilePatch>(size.degree, size.num_elements);
   }
   return *current;
 }
@@ -141,18 +149,18 @@ Stages repeat_stages(benchmark::State& state, Solve solve) {
   return sum;
 }
 
-void run_thesis(benchmark::State& state, const std::string& name, const AssembleElement& assemble, int degree,
+void run_thesis(benchmark::State& state, const std::string& name, const AssembleElement& assemble, const Size& size,
                 int num_threads) {
-  ProfilePatch& patch = patch_of(degree);
+  ProfilePatch& patch = patch_of(size);
   const Stages sum = repeat_stages(state, [&] { return patch.solve(assemble, num_threads); });
-  const std::string what = "bench_profile: " + name + ", d = 4, k = " + std::to_string(degree);
+  const std::string what = "bench_profile: " + name + size.name();
   report(state, patch, sum, require_answer(what, patch.error(), 1e-9));
 }
 
-void run_ours(benchmark::State& state, int degree) {
-  ProfilePatch& patch = patch_of(degree);
+void run_ours(benchmark::State& state, const Size& size) {
+  ProfilePatch& patch = patch_of(size);
   const Stages sum = repeat_stages(state, [&] { return patch.solve_ours(); });
-  const std::string what = "bench_profile: ours, d = 4, k = " + std::to_string(degree);
+  const std::string what = "bench_profile: ours" + size.name();
   report(state, patch, sum, require_answer(what, patch.own_error(), 1e-9));
 }
 
@@ -187,21 +195,24 @@ std::vector<Assembly> assemblies() {
   return list;
 }
 
-void add(const std::string& variant, int degree, int num_threads, std::function<void(benchmark::State&)> run) {
-  const std::string name = "profile/" + variant + "/d:4/k:" + std::to_string(degree) +
-                           "/K:" + std::to_string(num_elements) + "/threads:" + std::to_string(num_threads);
+void add(const std::string& variant, const Size& size, int num_threads, std::function<void(benchmark::State&)> run) {
+  const std::string name = "profile/" + variant + size.name() + "/threads:" + std::to_string(num_threads);
   benchmark::RegisterBenchmark(name.c_str(), std::move(run))->Unit(benchmark::kMillisecond)->UseManualTime();
 }
 
+void register_size(const Size& size, const std::vector<Assembly>& list) {
+  for (const Assembly& assembly : list)
+    add(assembly.name, size, assembly.num_threads, [=](benchmark::State& state) {
+      run_thesis(state, assembly.name, assembly.assemble, size, assembly.num_threads);
+    });
+  add("ours", size, 1, [=](benchmark::State& state) { run_ours(state, size); });
+}
+
+/// Two elements at every degree (the fewest that couple), and all 24 tetrahedra around a vertex while N <= 2520.
 void register_profiles() {
   const std::vector<Assembly> list = assemblies();
-  for (int degree = 1; degree <= max_degree; ++degree) {
-    for (const Assembly& assembly : list)
-      add(assembly.name, degree, assembly.num_threads, [=](benchmark::State& state) {
-        run_thesis(state, assembly.name, assembly.assemble, degree, assembly.num_threads);
-      });
-    add("ours", degree, 1, [=](benchmark::State& state) { run_ours(state, degree); });
-  }
+  for (int degree = 1; degree <= 3; ++degree) register_size({degree, 24}, list);
+  for (int degree = 1; degree <= max_degree; ++degree) register_size({degree, 2}, list);
 }
 
 }  // namespace

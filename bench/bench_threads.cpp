@@ -21,7 +21,8 @@ namespace tentpole {
 namespace {
 
 constexpr int num_updates = 100;  // the thesis averages over a hundred
-constexpr int chunk = 4;          // patches that a thread takes at a time (kernels/patch_solver.cpp)
+constexpr int num_patches = 64;
+constexpr int chunk = 4;  // patches that a thread takes at a time (kernels/patch_solver.cpp)
 
 /// 100 updates of one matrix, rows over threads.
 class HostRows {
@@ -117,34 +118,36 @@ void run_rows(benchmark::State& state, const std::string& name, int degree, int 
   state.counters["GF/s"] = benchmark::Counter(updates.flops() * 1e-9, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// One object for each number of threads, so that each has its own scratch.
+/// The batch of the running benchmark.
+const TentBatch& batch_of(int dimension, int degree) {
+  static TentBatch current;
+  if (current.dimension != dimension || current.degree != degree)
+    current = sample_patches(dimension, degree, dimension + 1, num_patches);
+  return current;
+}
+
+/// A batch of patches; each number of threads has its own scratch.
 class Patches {
  public:
-  Patches(int dimension, int degree, int num_patches, Device device, int num_threads)
-      : batch_(sample_patches(dimension, degree, dimension + 1, num_patches)),
-        device_(std::move(device)),
-        run_(batch_, device_, num_threads),
-        num_threads_(num_threads) {}
+  Patches(int dimension, int degree, const Device& device) : batch_(batch_of(dimension, degree)), device_(device) {}
 
   void run(int num_threads) {
-    if (num_threads == num_threads_) return run_.solve();
-    if (!other_) other_ = std::make_unique<PatchRun>(batch_, device_, num_threads);
-    other_->solve();
+    if (!run_ || num_threads != num_threads_) run_ = std::make_unique<PatchRun>(batch_, device_, num_threads);
+    num_threads_ = num_threads;
+    run_->solve();
   }
-  double error() { return run_.error(); }
+  double error() { return run_->error(); }
 
  private:
-  TentBatch batch_;
+  const TentBatch& batch_;
   Device device_;
-  PatchRun run_;
-  int num_threads_;
-  std::unique_ptr<PatchRun> other_;
+  std::unique_ptr<PatchRun> run_;
+  int num_threads_ = 0;
 };
 
 void run_patches(benchmark::State& state, const std::string& name, int dimension, int degree, const Device& device,
                  int num_threads) {
-  const int num_patches = degree <= 3 ? 64 * num_cores() : 16 * num_cores();
-  Patches patches(dimension, degree, num_patches, device, num_threads);
+  Patches patches(dimension, degree, device);
   measure(state, name, num_threads, 1e-9, patches);
   state.counters["n"] = dimension * num_polynomials(dimension + 1, degree);
   state.counters["imbalance"] = imbalance(num_patches / chunk, num_threads);

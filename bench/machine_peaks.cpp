@@ -29,7 +29,7 @@ double shortest_time(int repetitions, Work work) {
 }
 
 double dgemm_rate(int num_threads) {
-  constexpr int n = 768;
+  constexpr int n = 512;
   const std::vector<double> a(n * n, 1.0), b(n * n, 0.5);
   std::vector<double> c(n * n, 0.0);
   set_blas_threads(num_threads);

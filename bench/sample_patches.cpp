@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -45,6 +46,34 @@ TentBatch sample_patches(int space_dimension, int degree, int num_elements, int 
     append_tent(batch, tent, material, fields, data, generator);
   }
   return batch;
+}
+
+TentBatch repeat_patches(const TentBatch& batch, int num_patches) {
+  const int n = batch.num_unknowns(), jacobian_size = (batch.dimension + 1) * (batch.dimension + 1);
+  TentBatch repeated = batch;
+  repeated.patches.clear();
+  repeated.elements.clear();
+  repeated.exact.clear();
+  for (int copy = 0; copy < num_patches; ++copy) {
+    PatchDescriptor patch = batch.patches[copy % batch.patches.size()];
+    const int original = patch.first_element, shift = static_cast<int>(repeated.elements.size()) - original;
+    patch.first_element += shift;
+    repeated.patches.push_back(patch);
+    for (int e = original; e < original + patch.num_elements; ++e) {
+      ElementDescriptor element = batch.elements[e];
+      for (int facet = 0; facet <= batch.dimension + 1; ++facet)
+        if (is_shared(element.facet_kind[facet])) element.neighbor[facet] += shift;
+      element.result_slot = repeated.num_slots();
+      repeated.elements.push_back(element);
+      const double unwritten = std::numeric_limits<double>::quiet_NaN();
+      repeated.coefficients.insert(repeated.coefficients.end(), n, unwritten);
+      repeated.inverse_jacobians.insert(repeated.inverse_jacobians.end(), jacobian_size, unwritten);
+      const double* exact = batch.exact.data() + static_cast<std::size_t>(e) * n;
+      repeated.exact.insert(repeated.exact.end(), exact, exact + n);
+    }
+  }
+  repeated.records.assign(repeated.elements.size(), ElementRecord{});
+  return repeated;
 }
 
 double polynomial_error(const TentBatch& batch, int num_elements) {

@@ -11,6 +11,10 @@ namespace tentpole {
 /// Throws std::invalid_argument if no star of the dimension has so many cells.
 TentBatch sample_patches(int space_dimension, int degree, int num_elements, int num_patches);
 
+/// num_patches patches: those of the batch in turn, each copy with its own place for the answer. Copies share the data
+/// below and on the boundary, so that large batches cost no more than their memory. No fracture facets.
+TentBatch repeat_patches(const TentBatch& batch, int num_patches);
+
 /// Largest coefficient error of the first num_elements elements against the polynomials they were made from, relative
 /// to the largest coefficient of the element; NaN where a coefficient is.
 double polynomial_error(const TentBatch& batch, int num_elements);

@@ -7,7 +7,7 @@
 namespace tentpole {
 namespace {
 
-constexpr int block_size = 96;
+constexpr int block_size = 192;  // of 32 to 384 the fastest at N = 1080
 
 /// LU in place of the first `size` rows and columns, a multiple of 4.
 void factor(double* matrix, long stride, int size, double* packed) {

@@ -34,7 +34,7 @@ class EigenSolve {
   std::unique_ptr<Memory> memory_;
 };
 
-/// Ours without structure: right-looking in blocks of 96 pivots, each a partial elimination of everything that is left
+/// Ours without structure: right-looking in blocks of 192 pivots, each a partial elimination of everything that is left
 /// (kernels/eliminate.hpp: 4 x 8 tiles in registers). No pivoting: sym(K) is positive (docs/formulation.md).
 class DenseSolve {
  public:

@@ -31,7 +31,8 @@ def main():
         assert "error_occurred" not in benchmark, benchmark["name"]
         for counter in counters:
             value = benchmark.get(counter)
-            assert value is not None and math.isfinite(value) and value >= 0, f"{benchmark['name']}: {counter} = {value}"
+            is_fine = value is not None and math.isfinite(value) and value >= 0
+            assert is_fine, f"{benchmark['name']}: {counter} = {value}"
 
 
 main()
