@@ -33,7 +33,9 @@ class ThesisHost : public testing::Test {
 TEST_F(ThesisHost, DegreeSevenIsBestOnTwelveThreads) {
   EXPECT_NEAR(speedup(7, 12), 2.29, 0.05 * 2.29);
   for (int p = 1; p <= 24; ++p)
-    if (p != 12) EXPECT_LT(speedup(7, p), speedup(7, 12)) << p;
+    if (p != 12) {
+      EXPECT_LT(speedup(7, p), speedup(7, 12)) << p;
+    }
 }
 
 TEST_F(ThesisHost, DegreesUpToThreeSlowDown) {

@@ -30,7 +30,9 @@ TEST_F(ThesisMic, SpeedupOnSixtyThreads) {
 
 TEST_F(ThesisMic, SpeedupIsLargestOnSixtyThreads) {
   for (const auto& [p, point] : points_)
-    if (p != 60) EXPECT_LT(point.speedup, speedup(60)) << p;
+    if (p != 60) {
+      EXPECT_LT(point.speedup, speedup(60)) << p;
+    }
 }
 
 TEST_F(ThesisMic, SpeedupRisesToSixty) {
@@ -54,8 +56,9 @@ TEST_F(ThesisMic, EfficiencyFallsAfterTwentyThree) {
 
 TEST_F(ThesisMic, BestBalancedEfficiencyIsOnThirtyThreads) {
   for (const auto& [p, point] : points_)
-    if (p >= 15 && p != 30 && (point.imbalance == 0 || point.imbalance > 0.9))
+    if (p >= 15 && p != 30 && (point.imbalance == 0 || point.imbalance > 0.9)) {
       EXPECT_LT(point.efficiency, efficiency(30)) << p;
+    }
 }
 
 }  // namespace
