@@ -16,7 +16,7 @@
 namespace tentpole {
 namespace {
 
-constexpr int num_rows = 990, num_terms = 3;
+constexpr int num_rows = calibration_rows, num_terms = 3;
 constexpr double no_limit = 1e15;  // [B/s] where no time is left for the transfer: it is hidden
 
 #if defined(__AVX512F__)
@@ -157,6 +157,14 @@ Machine calibrate_machine() {
   const double expected = machine.fork_join.fixed + machine.fork_join.per_thread * 2 * hardware_threads;
   machine.fork_join.turn = rounded(std::max(0.0, crowded - expected) / hardware_threads);
   return machine;
+}
+
+std::vector<double> measure_sweep(int most_threads) {
+  const SampleUpdate sample(num_rows);
+  std::vector<double> times;
+  for (int threads = 1; threads <= most_threads; ++threads)
+    times.push_back(time_of(1000, [&] { update_rows_on_threads(sample.update(), threads); }));
+  return times;
 }
 
 }  // namespace tentpole

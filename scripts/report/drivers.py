@@ -25,7 +25,7 @@ FULL_FILTER = {
 MINIMAL_TIME = {True: "0.02", False: "0.2"}
 # Seconds after which a driver is stopped; what it has measured by then is kept. On a quiet machine they take less.
 QUICK_LIMIT = {"bench_profile": 20, "bench_assembly": 30, "bench_threads": 40, "bench_traffic": 35, "bench_lu": 35}
-FULL_LIMIT = {"bench_profile": 300, "bench_assembly": 400, "bench_threads": 150, "bench_traffic": 100, "bench_lu": 200}
+FULL_LIMIT = {"bench_profile": 250, "bench_assembly": 400, "bench_threads": 150, "bench_traffic": 100, "bench_lu": 200}
 
 
 def _command(program, output, quick):

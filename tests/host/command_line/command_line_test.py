@@ -199,7 +199,10 @@ class Model(ProgramTest):
         self.assertEqual(out, self.sweep(SOURCE / "device/machines/xeon_phi_knc.toml", "--rows", 990)[0])
 
     def test_calibrated_machine_can_be_modelled(self):
-        self.assertEqual(self.tentpole("devices", "--calibrate")[0], "machine.toml\n")
+        out = self.tentpole("devices", "--calibrate")[0].splitlines()
+        self.assertEqual(out[0], "machine.toml")
+        self.assertEqual(out[1].split(), ["threads", "measured", "modelled", "ratio"])
+        self.assertEqual([line.split()[0] for line in out[2:]], [str(1 + i) for i in range(len(out) - 2)])
         self.assertEqual(self.sweep("machine.toml")[1][0]["speedup"], 1)
         self.tentpole("devices", "--calibrate", "other.toml")
         self.assertEqual(self.tree(), ["machine.toml", "other.toml", "sweep.csv", "wave.toml"])
