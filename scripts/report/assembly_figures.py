@@ -23,7 +23,8 @@ def _ratio(assembly, slow, fast, degree):
 def vectorization(assembly, source):
     exhibit = Exhibit("3.1", "Figure", "Vectorization of the assembly",
                       "Time of the sequential optimised assembly over that of the vectorized one, for degrees k of the "
-                      "four-dimensional element (three space dimensions and time). The host of the thesis had vectors of 2 doubles.")
+                      "four-dimensional element (three space dimensions and time). The host of the thesis had vectors of "
+                      "2 doubles.")
     ratios = {k: _ratio(assembly, "sequential", "vectorized", k) for k in DEGREES}
     ratios = {k: ratio for k, ratio in ratios.items() if ratio}
     largest = max(ratios, default=None)
@@ -40,7 +41,8 @@ def vectorization(assembly, source):
 def ladder(assembly, source):
     """All rungs; not in the thesis as a table, its steps are in the text."""
     exhibit = Exhibit("3.3.1", "Ladder", "From library operators to no quadrature at all",
-                      "Time of one integration cell on each rung, the best over the thread counts. The last rungs are this project's own.")
+                      "Time of one integration cell on each rung, the best over the thread counts. The last rungs are this "
+                      "project's own.")
     rungs = list(dict.fromkeys(b.path[1] for b in assembly.find("assembly", d=4)))
     degrees = [k for k in DEGREES if assembly.find("assembly", d=4, k=k)]
     series, rows = {}, []

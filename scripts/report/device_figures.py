@@ -31,15 +31,14 @@ def _transfers(results):
 
 def card_figure(results):
     exhibit = Exhibit("3.4", "Figure", "Assembly on the many-core card, n = 990",
-                      "Speedup and efficiency of a pass over the rows of the cell matrix, k = 7, on 1 to 120 threads of a Xeon Phi. "
-                      "Modelled: 15 threads are where the matrix begins to fit the caches, 60 where the cores end.")
+                      "Speedup and efficiency of a pass over the rows of the cell matrix, k = 7, on 1 to 120 threads of a "
+                      "Xeon Phi. Modelled: 15 threads are where the matrix begins to fit the caches, 60 where the cores end.")
     rows = results.model("xeon_phi_knc").get(7, [])
     speedup, efficiency = _points(rows, "speedup"), _points(rows, "efficiency")
     marks = [(15, "matrix fits the caches"), (CARD_THREADS, "all cores")]
-    exhibit.add(_part("figure_3_4_speedup", rows, charts.curves({"speedup": speedup}, "threads p", "speedup", marks=marks)),
-                "tentpole model has no result.")
-    exhibit.add(_part("figure_3_4_efficiency", rows, charts.curves({"efficiency": efficiency}, "threads p", "efficiency", marks=marks)),
-                "tentpole model has no result.")
+    for quantity, points in (("speedup", speedup), ("efficiency", efficiency)):
+        drawing = charts.curves({quantity: points}, "threads p", quantity, marks=marks)
+        exhibit.add(_part(f"figure_3_4_{quantity}", rows, drawing), "tentpole model has no result.")
     if rows:
         at = {int(r["threads"]): r for r in rows}
         best = max(rows, key=lambda r: r["speedup"])
@@ -47,7 +46,8 @@ def card_figure(results):
         exhibit.comparison = [
             ("threads of the largest speedup", str(CARD_THREADS), str(int(best["threads"])), "modelled"),
             (f"speedup on {CARD_THREADS} threads", number(CARD_SPEEDUP, 4), number(at[CARD_THREADS]["speedup"], 4), "modelled"),
-            (f"efficiency on {CARD_THREADS} threads", number(CARD_EFFICIENCY, 4), number(at[CARD_THREADS]["efficiency"], 4), "modelled"),
+            (f"efficiency on {CARD_THREADS} threads", number(CARD_EFFICIENCY, 4),
+             number(at[CARD_THREADS]["efficiency"], 4), "modelled"),
             ("efficiency from 14 to 15 threads", "rises", rises[0], "modelled"),
             ("efficiency from 23 to 24 threads", "falls", rises[1], "modelled")]
     return exhibit
@@ -55,9 +55,9 @@ def card_figure(results):
 
 def persistent_figure(results):
     exhibit = Exhibit("3.5", "Figure", "Assembly on the device with persistent data, k = 1 to 7",
-                      "Modelled: speedup on the threads of a Xeon Phi. Measured on the device at hand: the time of 100 updates of the "
-                      "matrix on the host, with a transfer each time, with persistent data, and with the transfers overlapped; and the "
-                      "speedup over the threads of a virtual device.")
+                      "Modelled: speedup on the threads of a Xeon Phi. Measured on the device at hand: the time of 100 updates "
+                      "of the matrix on the host, with a transfer each time, with persistent data, and with the transfers "
+                      "overlapped; and the speedup over the threads of a virtual device.")
     modelled = {k: _points(rows, "speedup") for k, rows in results.model("xeon_phi_knc").items()}
     columns = ["degree", "unknowns", "threads", "speedup"]
     exhibit.add(Part("figure_3_5_modelled", "modelled", CARD, columns, sweep_rows(modelled),
@@ -91,8 +91,10 @@ def _persistent_comparison(series, modelled):
 
 def filtered_figure(results):
     exhibit = Exhibit("3.6", "Figure", "Efficiency on the card, well balanced thread counts only",
-                      "The curve of figure 3.4 where u/p = 0 or > 0.9 with u = n mod p: no thread, or only few, idle in the last round.")
-    rows = [r for r in results.model("xeon_phi_knc").get(7, []) if is_balanced(r["imbalance"]) and r["threads"] <= CARD_THREADS]
+                      "The curve of figure 3.4 where u/p = 0 or > 0.9 with u = n mod p: no thread, or only few, idle in the "
+                      "last round.")
+    rows = [r for r in results.model("xeon_phi_knc").get(7, [])
+            if is_balanced(r["imbalance"]) and r["threads"] <= CARD_THREADS]
     exhibit.add(_part("figure_3_6", rows, charts.curves({"efficiency": _points(rows, "efficiency")}, "threads p", "efficiency",
                                                         marks=[(15, "matrix fits the caches")])),
                 "tentpole model has no result.")
@@ -101,7 +103,8 @@ def filtered_figure(results):
         best = max(beyond, key=lambda r: r["efficiency"])
         lowest = min((r for r in rows if r["threads"] < 18), key=lambda r: r["efficiency"])
         exhibit.comparison = [
-            ("balanced count of the best efficiency, from 15 on", str(BEST_BALANCED_THREADS), str(int(best["threads"])), "modelled"),
+            ("balanced count of the best efficiency, from 15 on", str(BEST_BALANCED_THREADS),
+             str(int(best["threads"])), "modelled"),
             ("last balanced count before the efficiency rises", "below 15", str(int(lowest["threads"])), "modelled")]
     return exhibit
 

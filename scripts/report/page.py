@@ -16,7 +16,8 @@ nav a { padding: .3rem .6rem; background: #fff; border: 1px solid #d5dae1; borde
   color: #1f4e79; font-size: .9rem; }
 section { background: #fff; border: 1px solid #dfe3e8; border-radius: .6rem; padding: 1rem; margin: 0 0 1rem; }
 .source { color: #57606a; font-size: .82rem; overflow-wrap: anywhere; }
-.badge { display: inline-block; padding: 0 .5rem; border-radius: .7rem; font-size: .78rem; font-weight: 600; white-space: nowrap; }
+.badge { display: inline-block; padding: 0 .5rem; border-radius: .7rem; font-size: .78rem; font-weight: 600;
+  white-space: nowrap; }
 .measured { background: #dff2e4; color: #14532d; }
 .modelled { background: #fdebc8; color: #6b3d00; }
 .missing { color: #8a2a1a; font-size: .9rem; }
@@ -67,7 +68,8 @@ def _badge(nature):
 
 
 def _comparison(exhibit):
-    rows = [[escape(what).replace(" = ", "&nbsp;=&nbsp;"), escape(thesis), escape(here), _badge(nature)] for what, thesis, here, nature in exhibit.comparison]
+    rows = [[escape(what).replace(" = ", "&nbsp;=&nbsp;"), escape(thesis), escape(here), _badge(nature)]
+            for what, thesis, here, nature in exhibit.comparison]
     return _table(["", "thesis", "here", ""], rows) if rows else ""
 
 

@@ -28,8 +28,8 @@ def _variants(lu):
 def solution_figure(results, figure, quantity):
     lu, source = results.file("bench_lu"), results.source("bench_lu")
     exhibit = Exhibit(figure, "Figure", f"Multi-threaded LU solution: {quantity}",
-                      ENDS + "Measured here: factor and solve of patches by LAPACK (the threads work on one patch) and by this project's batches "
-                      "(each thread its own patches).")
+                      ENDS + "Measured here: factor and solve of patches by LAPACK (the threads work on one patch) and by this "
+                      "project's batches (each thread its own patches).")
     series = _curves(lu, quantity)
     rows = [[label, p, number(value, 4)] for label, (counts, values) in series.items() for p, value in zip(counts, values)]
     exhibit.add(Part(exhibit.name, "measured", source, ["variant", "threads", quantity], rows,

@@ -8,7 +8,8 @@ PROFILES = {
     "3.3": ("vectorized", (34.27, 64.05, 1.53), "and vectorization"),
     "3.4": ("threaded_rows", (20.40, 77.07, 2.32), "and 12 threads"),
 }
-PROFILE_NOTE = {"3.4": "The text of the thesis says 70.07 % for the solution, its table 77.07 %; the table adds up, so it is used."}
+PROFILE_NOTE = {"3.4": "The text of the thesis says 70.07 % for the solution, its table 77.07 %; the table adds up, so "
+                       "it is used."}
 
 # Speedups of the assembly, k = 7.
 SEQUENTIAL, VECTORIZED, THREADED, NET = 3.2, 1.45, 2.29, 10.6

@@ -4,7 +4,8 @@ from report.exhibit import Exhibit, Part, number
 from report.thesis_numbers import DEGREES, HOST_EFFICIENCY, HOST_THREADS, THREADED, unknowns
 
 QUANTITY = {"speedup": "3.2", "efficiency": "3.3"}
-TITLE = {"speedup": "Multi-threaded assembly on the host: speedup", "efficiency": "Multi-threaded assembly on the host: efficiency"}
+TITLE = {"speedup": "Multi-threaded assembly on the host: speedup",
+         "efficiency": "Multi-threaded assembly on the host: efficiency"}
 THESIS = {"speedup": THREADED, "efficiency": HOST_EFFICIENCY}
 
 

@@ -25,12 +25,14 @@ def assembly():
     for rung, seconds in SECONDS.items():
         for k in (6, 7):
             for factor in (1, 3):  # repetitions; the median counts
-                yield entry(f"assembly/{rung}/d:4/k:{k}/threads:1/iterations:1", 1e3 * seconds * factor, s_per_cell=seconds * factor)
+                yield entry(f"assembly/{rung}/d:4/k:{k}/threads:1/iterations:1", 1e3 * seconds * factor,
+                            s_per_cell=seconds * factor)
 
 
 def sweep(kind, k):
     for p, speedup in ((1, 1.0), (2, 1.5), (4, 1.4)):
-        yield entry(f"threads/{kind}/d:4/k:{k}/threads:{p}", 10 / speedup, n=990, speedup=speedup, efficiency=speedup / p, imbalance=0)
+        yield entry(f"threads/{kind}/d:4/k:{k}/threads:{p}", 10 / speedup, n=990, speedup=speedup,
+                    efficiency=speedup / p, imbalance=0)
 
 
 def traffic():

@@ -96,7 +96,8 @@ class Report(unittest.TestCase):
         from report import drivers
         with tempfile.TemporaryDirectory() as name:
             path = pathlib.Path(name) / "bench_lu.json"
-            whole = json.dumps({"context": {}, "benchmarks": [{"name": "a", "real_time": 1}, {"name": "b", "real_time": 2}]}, indent=2)
+            benchmarks = [{"name": "a", "real_time": 1}, {"name": "b", "real_time": 2}]
+            whole = json.dumps({"context": {}, "benchmarks": benchmarks}, indent=2)
             for cut, kept in ((len(whole) - 9, 1), (whole.index('"a"'), 0)):
                 path.write_text(whole[:cut])
                 self.assertEqual(drivers.close_file(path), kept)
