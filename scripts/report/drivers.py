@@ -20,7 +20,7 @@ FULL_FILTER = {
     "bench_assembly": r"d:4/",
     "bench_threads": r"rows/",
     "bench_traffic": r"d:4",
-    "bench_lu": r"d:4/",
+    "bench_lu": r"d:4/k:[1-7]/K:[24]/",
 }
 MINIMAL_TIME = {True: "0.02", False: "0.2"}
 # Seconds after which a driver is stopped; what it has measured by then is kept. On a quiet machine they take less.
@@ -34,10 +34,18 @@ def _command(program, output, quick):
             f"--benchmark_min_time={MINIMAL_TIME[quick]}"]
 
 
+def processor_name():
+    """Model of the processor as Linux reports it."""
+    with open("/proc/cpuinfo", encoding="utf-8") as stream:
+        names = [line.split(":", 1)[1].strip() for line in stream if line.startswith("model name")]
+    return names[0] if names else "unknown"
+
+
 def run_drivers(build, folder, quick):
-    """Runs each driver that the build has; keeps notes, for the report, on those that are missing, failed or were stopped."""
+    """Runs each driver that the build has; keeps notes for the report: the processor, and drivers missing,
+    failed or stopped."""
     environment = dict(os.environ, OMP_WAIT_POLICY=os.environ.get("OMP_WAIT_POLICY", "passive"))
-    notes = []
+    notes = [f"processor: {processor_name()}\n"]
     for driver in DRIVERS:
         start = time.monotonic()
         note = _run_driver(build / "bench" / driver, folder, quick, environment)

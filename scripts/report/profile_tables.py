@@ -29,7 +29,8 @@ def thesis_tables(profile, source):
     for table, (stages, percent, label) in PROFILES.items():
         benchmark = _chosen(profile, stages)
         exhibit = Exhibit(table, "Table", f"Time profile, {label}",
-                          "Share of assembly, solution and post-processing in the time of the physics code. " +
+                          "Share of assembly, solution and post-processing in the time of the physics code. The thesis does "
+                          "not state its patch size or number of quadrature points, so the problems differ. " +
                           PROFILE_NOTE.get(table, ""))
         values = _percent(benchmark) if benchmark else [None] * 3
         exhibit.comparison = [(f"{stage} [%]", number(theirs, 4), number(ours, 4), "measured")

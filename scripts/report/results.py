@@ -37,11 +37,12 @@ class Results:
     def machine(self):
         """Lines (what, value) on where the measured numbers come from."""
         context = next((self.file(driver).context for driver in DRIVERS if self.file(driver).context), {})
-        wanted = [("processor", "processor"), ("cores", "cores"), ("device", "device"), ("compiler", "compiler"),
+        wanted = [("cores", "cores"), ("device", "device"), ("compiler", "compiler"),
                   ("commit", "commit"), ("measured", "date"), ("dgemm, one thread [GF/s]", "dgemm_1_GF/s"),
                   ("dgemm, all [GF/s]", "dgemm_all_GF/s"), ("copy, one thread [GB/s]", "copy_1_GB/s"),
                   ("copy, all [GB/s]", "copy_all_GB/s")]
         lines = [(label, str(context[key])) for label, key in wanted if context.get(key)]
         notes = self.folder / "notes.txt"
-        lines += [tuple(line.split(": ", 1)) for line in notes.read_text().splitlines()] if notes.exists() else []
+        noted = [tuple(line.split(": ", 1)) for line in notes.read_text().splitlines()] if notes.exists() else []
+        lines = noted[:1] + lines + noted[1:]
         return lines or [("measured", "nothing: no driver has run")]
