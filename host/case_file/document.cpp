@@ -212,7 +212,7 @@ Node read_document(const std::filesystem::path& path, const std::vector<std::str
   if (stream && std::filesystem::is_regular_file(path, ignored))
     text.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream || text.empty()) {
-    problems.push_back({file, "is not a readable file with text in it. Give the path of a case file."});
+    problems.push_back({file, "is not a readable file with text in it. Give the path of a TOML file."});
     throw InputError(problems);
   }
   try {

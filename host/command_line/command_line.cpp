@@ -23,6 +23,8 @@ struct Arguments {
   CompareCommand compare;
   CaseOptions check;
   std::filesystem::path described;
+  ModelCommand model;
+  std::optional<std::filesystem::path> calibrate;
 };
 
 void add_case_options(CLI::App& command, CaseOptions& input) {
@@ -60,6 +62,26 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   compare->add_option("--out", command.out, "keep the results in DIR/host and DIR/device")->type_name("DIR");
   add_device_option(*compare, command.device, "the device with this number in `tentpole devices`");
   compare->add_flag("--quiet", command.quiet, "no progress bar");
+}
+
+void add_devices(CLI::App& app, Arguments& arguments) {
+  app.add_subcommand("devices", "list the devices of the OpenMP runtime, with measured copy rates and launch costs")
+      ->add_option_function<std::string>(
+          "--calibrate", [&arguments](const std::string& file) { arguments.calibrate = file; },
+          "measure this machine for `tentpole model` and write its machine file (default: machine.toml)")
+      ->type_name("FILE")
+      ->expected(0, 1)
+      ->default_str("machine.toml");
+}
+
+void add_model(CLI::App& app, ModelCommand& command) {
+  CLI::App* model = app.add_subcommand("model", "modelled sweep of threads on a machine with many cores, as CSV");
+  model->add_option("MACHINE", command.machine_file, "machine file, or the name of one in device/machines")
+      ->required()
+      ->type_name("");
+  model->add_option("--rows", command.rows, "size of the cell matrix (default: 990)")->type_name("N");
+  model->add_option("--threads", command.threads, "e.g. 1-120 or 1,2,4-8 (default: 1 to twice the cores)")
+      ->type_name("LIST");
 }
 
 /// A command whose arguments are not looked at here.
@@ -121,13 +143,13 @@ int dispatch(int argc, char** argv) {
   add_run(app, arguments.run);
   add_case_options(*app.add_subcommand("check", "validate a case and say what would run"), arguments.check);
   add_compare(app, arguments.compare);
-  app.add_subcommand("devices", "list the devices of the OpenMP runtime, with measured copy rates and launch costs");
+  add_devices(app, arguments);
   app.add_subcommand("info", "describe a result folder, or a .json, .csv, .vtkhdf or .h5 file of one")
       ->add_option("FILE", arguments.described, "file or folder")
       ->required()
       ->type_name("");
   const CLI::App* plot = add_passing_command(app, "plot", "draw pictures from a result folder");
-  const CLI::App* model = add_passing_command(app, "model", "")->group("");
+  add_model(app, arguments.model);
   add_first_steps(app);
   app.allow_extras();
   try {
@@ -138,10 +160,10 @@ int dispatch(int argc, char** argv) {
   if (app.got_subcommand("run")) return run_command(arguments.run);
   if (app.got_subcommand("check")) return check_command(arguments.check);
   if (app.got_subcommand("compare")) return compare_command(arguments.compare);
-  if (app.got_subcommand("devices")) return devices_command();
+  if (app.got_subcommand("devices")) return devices_command(arguments.calibrate);
   if (app.got_subcommand("info")) return info_command(arguments.described);
   if (app.got_subcommand(plot)) return plot_command(plot->remaining());
-  if (app.got_subcommand(model)) throw InputError("tentpole model: not available yet.");
+  if (app.got_subcommand("model")) return model_command(arguments.model);
   return refuse_missing_command(app);
 }
 

@@ -34,7 +34,16 @@ struct CompareCommand {
 };
 int compare_command(const CompareCommand& command);
 
-int devices_command();
+/// A modelled sweep of threads (host/many_core) as CSV.
+struct ModelCommand {
+  std::filesystem::path machine_file;  ///< a path, or the name of a file in device/machines
+  int rows = 990;                      ///< size of the cell matrix; 990: degree 7 in three dimensions
+  std::optional<std::string> threads;  ///< list; default: 1 to twice the cores
+};
+int model_command(const ModelCommand& command);
+
+/// `calibrate`: instead of the list, measure this machine for the model and write its file; empty: machine.toml.
+int devices_command(const std::optional<std::filesystem::path>& calibrate);
 
 int info_command(const std::filesystem::path& path);
 

@@ -1,9 +1,15 @@
 #include <iostream>
 
 #include "device/measure_device.hpp"
+#include "host/case_file/input_error.hpp"
 #include "host/command_line/commands.hpp"
 #include "host/command_line/quantity.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/many_core/calibrate.hpp"
+#include "host/many_core/row_sweep.hpp"
+#include "host/many_core/write_machine.hpp"
+#include "host/output/atomic_file.hpp"
+#include "host/output/machine_info.hpp"
 
 namespace tentpole {
 namespace {
@@ -18,9 +24,35 @@ std::vector<std::string> row(const Device& device) {
           short_number(rates.launch * 1e6) + " us"};
 }
 
+/// Measured and modelled times of one loop on 1 to twice the hardware threads, side by side.
+std::vector<std::vector<std::string>> sweep_rows(const Machine& machine) {
+  std::vector<std::vector<std::string>> rows{{"threads", "measured", "modelled", "ratio"}};
+  const std::vector<double> measured = measure_sweep(2 * machine.usable_cores() * machine.cores.threads);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const int threads = static_cast<int>(i) + 1;
+    const double modelled = pass_time(machine, calibration_rows, threads);
+    rows.push_back({std::to_string(threads), short_number(measured[i] * 1e6) + " us",
+                    short_number(modelled * 1e6) + " us", short_number(modelled / measured[i])});
+  }
+  return rows;
+}
+
+int write_calibration(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file) ||
+      (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path())))
+    throw InputError("--calibrate " + file.string() + ": cannot be written. Give a file name in a folder that exists.");
+  const BuildInfo build = build_info();
+  const Machine machine = calibrate_machine();
+  replace_text_file(file, machine_text(machine, "Measured by tentpole " + build.version + " (" + build.git_revision +
+                                                    ", " + build.compiler + ")."));
+  std::cout << file.string() << "\n" << text_table(sweep_rows(machine), "rrrr");
+  return 0;
+}
+
 }  // namespace
 
-int devices_command() {
+int devices_command(const std::optional<std::filesystem::path>& calibrate) {
+  if (calibrate) return write_calibration(calibrate->empty() ? "machine.toml" : *calibrate);
   std::vector<std::vector<std::string>> rows{{"number", "device", "threads", "copy to", "copy from", "launch"}};
   rows.push_back(row(host_device()));
   const std::vector<Device> devices = available_devices();

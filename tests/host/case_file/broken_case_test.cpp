@@ -94,7 +94,7 @@ TEST(BrokenCaseMessage, FileThatDoesNotExistIsNamed) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "no_such_case.toml: is not a readable file with text in it. Give the path of a case file.");
+                 "no_such_case.toml: is not a readable file with text in it. Give the path of a TOML file.");
   }
 }
 

@@ -134,9 +134,8 @@ class Check(ProgramTest):
 class Arguments(ProgramTest):
     def test_help_lists_commands_and_options(self):
         out, err = self.tentpole("--help")
-        for command in ("run", "check", "compare", "devices", "info", "plot", "Exit codes"):
+        for command in ("run", "check", "compare", "devices", "info", "model", "plot", "Exit codes"):
             self.assertIn(command, out)
-        self.assertNotIn("model", out)
         self.assertEqual(err, "")
         out, _ = self.tentpole("run", "--help")
         for option in ("--out DIR", "--offload", "--device N", "--threads N", "--seed N", "--set KEY=VALUE",
@@ -155,8 +154,13 @@ class Arguments(ProgramTest):
                                 (["run", "wave.toml", "--threads", "many"], "many"),
                                 (["run", "wave.toml", "--set", "degree"], "--set degree: is no override"),
                                 (["run", "missing.toml"], "missing.toml: is not a readable file"),
-                                (["devices", "--calibrate"], "--calibrate"),
-                                (["model", "machine.toml"], "not available yet"),
+                                (["devices", "--calibrate", "missing/m.toml"], "--calibrate missing/m.toml: cannot be written"),
+                                (["model"], "MACHINE is required"),
+                                (["model", "machine.toml"], "machine.toml: is not a readable file"),
+                                (["model", "wave.toml"], "wave.toml:2: domain: unknown key."),
+                                (["model", "xeon_phi_knc.toml", "--threads", "4-1"], '--threads 4-1: "4-1" runs backwards'),
+                                (["model", "xeon_phi_knc.toml", "--rows", "0"], "--rows 0: must lie in [1, 100000]"),
+                                (["model", "xeon_phi_knc.toml", "--rows", "many"], "many"),
                                 (["info", "missing"], "missing: there is no such file"),
                                 (["info", "wave.toml"], "tentpole check"),
                                 (["info", "."], "holds no result")):
@@ -170,6 +174,38 @@ class Arguments(ProgramTest):
         self.assertIn("no device:", result.stderr)
         self.assertIn("libomp-19-dev", result.stderr)
         self.assertEqual(self.tree(), ["wave.toml"])
+
+
+class Model(ProgramTest):
+    def sweep(self, *arguments):
+        out, err = self.tentpole("model", *arguments)
+        self.assertEqual(err, "")
+        (self.folder / "sweep.csv").write_text(out)
+        return out, self.table("sweep.csv")
+
+    def test_prints_a_row_per_thread_count(self):
+        out, rows = self.sweep("xeon_phi_knc.toml", "--threads", "1,59-61,30")
+        self.assertEqual(out.splitlines()[0], "threads,time,speedup,efficiency,imbalance")
+        self.assertEqual([row["threads"] for row in rows], [1, 30, 59, 60, 61])
+        self.assertEqual((rows[0]["speedup"], rows[0]["efficiency"], rows[0]["imbalance"]), (1, 1, 0))
+        for row in rows:
+            self.assertAlmostEqual(row["speedup"] * row["time"] / rows[0]["time"], 1, places=4)
+            self.assertAlmostEqual(row["efficiency"] * row["threads"] / row["speedup"], 1, places=4)
+        self.assertEqual(self.sweep("xeon_phi_knc.toml", "--threads", "1,59-61,30")[0], out)
+
+    def test_default_is_up_to_twice_the_usable_cores_with_990_rows(self):
+        out, rows = self.sweep("xeon_phi_knc.toml")
+        self.assertEqual(len(rows), 120)
+        self.assertEqual(out, self.sweep(SOURCE / "device/machines/xeon_phi_knc.toml", "--rows", 990)[0])
+
+    def test_calibrated_machine_can_be_modelled(self):
+        out = self.tentpole("devices", "--calibrate")[0].splitlines()
+        self.assertEqual(out[0], "machine.toml")
+        self.assertEqual(out[1].split(), ["threads", "measured", "modelled", "ratio"])
+        self.assertEqual([line.split()[0] for line in out[2:]], [str(1 + i) for i in range(len(out) - 2)])
+        self.assertEqual(self.sweep("machine.toml")[1][0]["speedup"], 1)
+        self.tentpole("devices", "--calibrate", "other.toml")
+        self.assertEqual(self.tree(), ["machine.toml", "other.toml", "sweep.csv", "wave.toml"])
 
 
 class Info(ProgramTest):
