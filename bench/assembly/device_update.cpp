@@ -12,11 +12,12 @@ void add_on_cpu_device(const DeviceUpdate update, int device_number, int num_thr
 #pragma omp target teams num_teams(1) device(device_number) firstprivate(update)
 #pragma omp parallel for num_threads(num_threads) schedule(static)
   for (int row = 0; row < n; ++row) {
-    double* entries = update.block + static_cast<long>(row) * n;
-    const double* trial = update.trial + row / update.num_basis * update.component_stride;
+    // Vectorised where the image has vectors; a simd pragma would be an error in the image of a GPU, which never runs
+    // this.
+    double* __restrict entries = update.block + static_cast<long>(row) * n;
+    const double* __restrict trial = update.trial + row / update.num_basis * update.component_stride;
     for (int term = 0; term < update.num_terms; ++term, trial += n) {
       const double factor = update.weight * update.test[static_cast<long>(term) * n + row];
-#pragma omp simd
       for (int column = 0; column < n; ++column) entries[column] += factor * trial[column];
     }
   }
