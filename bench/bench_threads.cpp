@@ -99,18 +99,9 @@ void measure(benchmark::State& state, const std::string& what, int num_threads, 
   state.counters["efficiency"] = gain.efficiency;
 }
 
-/// The updates of the running benchmark: benchmarks of one degree follow each other.
-const SampleUpdates& updates_of(int degree) {
-  static std::unique_ptr<SampleUpdates> current;
-  static int current_degree = 0;
-  if (current_degree != degree) current = std::make_unique<SampleUpdates>(3, degree, num_updates);
-  current_degree = degree;
-  return *current;
-}
-
 template <class Rows, class... Where>
 void run_rows(benchmark::State& state, const std::string& name, int degree, int num_threads, const Where&... where) {
-  const SampleUpdates& updates = updates_of(degree);
+  const SampleUpdates& updates = sample_updates(degree, num_updates);
   Rows rows(updates, where...);
   measure(state, name, num_threads, 1e-12, rows);
   state.counters["n"] = updates.num_unknowns();

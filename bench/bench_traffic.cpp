@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -119,15 +118,6 @@ class UpdateRun {
   WorkQueue queue_;
 };
 
-/// The updates of the running benchmark.
-const SampleUpdates& updates_of(int degree) {
-  static std::unique_ptr<SampleUpdates> current;
-  static int current_degree = 0;
-  if (current_degree != degree) current = std::make_unique<SampleUpdates>(3, degree, num_updates);
-  current_degree = degree;
-  return *current;
-}
-
 /// Median times of this run [s], by mode and degree.
 std::map<std::pair<Mode, int>, double>& measured_times() {
   static std::map<std::pair<Mode, int>, double> times;
@@ -143,7 +133,7 @@ void check(const UpdateRun& run, Mode mode, int degree) {
 }
 
 void run_mode(benchmark::State& state, Mode mode, int degree, const Device& device) {
-  const SampleUpdates& updates = updates_of(degree);
+  const SampleUpdates& updates = sample_updates(degree, num_updates);
   UpdateRun warm_up(updates, device), run(updates, device);
   warm_up.run(mode);
   double all_seconds = 0;
@@ -169,7 +159,7 @@ void run_mode(benchmark::State& state, Mode mode, int degree, const Device& devi
 double time_of(Mode mode, int degree, const Device& device) {
   auto found = measured_times().find({mode, degree});
   if (found != measured_times().end()) return found->second;
-  UpdateRun run(updates_of(degree), device);
+  UpdateRun run(sample_updates(degree, num_updates), device);
   run.run(mode);
   check(run, mode, degree);
   std::array<double, 3> times;

@@ -153,6 +153,17 @@ void ElementUpdates::frame_rows(int facet, const Gradient& gradient, const Frame
       }
 }
 
+/// One term per component of the frame, the same for all components of the test.
+UpdateRows ElementUpdates::facet_update(int facet, int point, const RowScratch& rows) const {
+  return {tables_->num_basis,
+          tables_->num_unknowns,
+          tables_->dimension,
+          area_[facet] * tables_->facet_weight[point],
+          rows.test,
+          rows.trial,
+          0};
+}
+
 UpdateRows ElementUpdates::form_vertical(int facet, int point, double* scratch) const {
   const int D = tables_->dimension;
   const RowScratch rows = divide(scratch, D);
@@ -160,13 +171,7 @@ UpdateRows ElementUpdates::form_vertical(int facet, int point, double* scratch) 
       physical_gradient(geometry_.inverse, tables_->gradient_on_facet(facet, point), rows.gradient);
   frame_rows(facet, gradient, test_factors(), rows.test);
   frame_rows(facet, gradient, own_factors(facet), rows.trial);
-  return {tables_->num_basis,
-          tables_->num_unknowns,
-          D,
-          area_[facet] * tables_->facet_weight[point],
-          rows.test,
-          rows.trial,
-          0};
+  return facet_update(facet, point, rows);
 }
 
 // The neighbour's trial, with its stress on our normal: - (s + Z v) / 2.
@@ -179,13 +184,7 @@ UpdateRows ElementUpdates::form_neighbor(int facet, int point, double* scratch) 
   FrameFactors incoming = own_factors(facet);
   for (int c = 0; c < D; ++c) incoming.velocity[c] *= -1, incoming.traction[c] *= -1;
   frame_rows(facet, physical_gradient(neighbor_inverse_[facet], table, rows.gradient), incoming, rows.trial);
-  return {tables_->num_basis,
-          tables_->num_unknowns,
-          D,
-          area_[facet] * tables_->facet_weight[point],
-          rows.test,
-          rows.trial,
-          0};
+  return facet_update(facet, point, rows);
 }
 
 UpdateRows ElementUpdates::form_rigid() const {

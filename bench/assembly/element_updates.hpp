@@ -68,6 +68,7 @@ class ElementUpdates {
   RowScratch divide(double* scratch, int num_terms) const;
   UpdateRows form_volume(int point, double* scratch) const;
   UpdateRows form_inflow(int facet, int point, double* scratch) const;
+  UpdateRows facet_update(int facet, int point, const RowScratch& rows) const;
   UpdateRows form_vertical(int facet, int point, double* scratch) const;
   UpdateRows form_neighbor(int facet, int point, double* scratch) const;
   UpdateRows form_rigid() const;

@@ -5,6 +5,7 @@
 
 #include "bench/assembly/checked_operator.hpp"
 #include "bench/assembly/own_rungs.hpp"
+#include "bench/assembly/with_dimension.hpp"
 #include "kernels/element_matrix.hpp"
 
 namespace tentpole {
@@ -100,14 +101,7 @@ void assemble(const PatchBatch& batch, const ReferenceTablesView& tables, int el
 }  // namespace
 
 void assemble_matrix_product(const PatchBatch& batch, const ReferenceTablesView& tables, int element, double* matrix) {
-  switch (tables.dimension) {
-    case 1:
-      return assemble<1>(batch, tables, element, matrix);
-    case 2:
-      return assemble<2>(batch, tables, element, matrix);
-    default:
-      return assemble<3>(batch, tables, element, matrix);
-  }
+  with_dimension(tables.dimension, [&](auto D) { assemble<D>(batch, tables, element, matrix); });
 }
 
 }  // namespace tentpole

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bench/assembly/with_dimension.hpp"
 #include "kernels/point_state.reference.hpp"
 #include "kernels/post_processing.hpp"
 #include "kernels/simd.hpp"
@@ -66,14 +67,7 @@ OutflowState evaluate(const CellTables& tables, const PatchBatch& batch, int ind
 }  // namespace
 
 OutflowState outflow_state(const CellTables& tables, const PatchBatch& batch, int element, const double* coefficients) {
-  switch (tables.dimension) {
-    case 1:
-      return evaluate<1>(tables, batch, element, coefficients);
-    case 2:
-      return evaluate<2>(tables, batch, element, coefficients);
-    default:
-      return evaluate<3>(tables, batch, element, coefficients);
-  }
+  return with_dimension(tables.dimension, [&](auto D) { return evaluate<D>(tables, batch, element, coefficients); });
 }
 
 }  // namespace tentpole

@@ -1,5 +1,7 @@
 #include "bench/assembly/sample_updates.hpp"
 
+#include <memory>
+
 #include <cblas.h>
 
 #include "bench/assembly/assembly_cost.hpp"
@@ -35,6 +37,14 @@ SampleUpdates::SampleUpdates(int space_dimension, int degree, int count)
     cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, n, n, rows.num_terms, rows.weight, rows.test, n, rows.trial, n,
                 1.0, expected_.data(), n);
   }
+}
+
+const SampleUpdates& sample_updates(int degree, int count) {
+  static std::unique_ptr<SampleUpdates> current;
+  static int current_degree = 0;
+  if (current_degree != degree || current->size() != count) current = std::make_unique<SampleUpdates>(3, degree, count);
+  current_degree = degree;
+  return *current;
 }
 
 double SampleUpdates::flops() const {

@@ -35,4 +35,8 @@ class SampleUpdates {
   std::vector<double> expected_;
 };
 
+/// `count` updates of this degree with D = 3, kept until another degree or count is asked for: the benchmarks of one
+/// degree follow each other.
+const SampleUpdates& sample_updates(int degree, int count);
+
 }  // namespace tentpole

@@ -38,7 +38,7 @@ AdaptiveLimits make_limits(const Simulation& simulation) {
   }
   if (settings.fracture.enabled) {
     const double zone = settings.fracture.process_zone_size.value_or(scaling.speed * settings.fracture.relaxation_time);
-    limits.crack_size = zone / 4 / scaling.length;
+    limits.crack_size = std::max(zone / 4 / scaling.length, limits.min_size);
     limits.law = scaled_fracture_law(simulation);
     limits.max_pole_height = settings.fracture.max_damage_step * settings.fracture.relaxation_time / scaling.time();
   }
@@ -98,7 +98,7 @@ void AdaptiveMarch::fill(RunSummary& summary) {
   summary.fracture.coalescences = counts.coalescences;
   summary.fracture.crack_length = front.crack_length;
   summary.fracture.surface_length = front.surface_length;
-  if (state_.first_nucleation.time >= 0) {
+  if (counts.nucleations > 0) {
     const Scaling& scaling = state_.books.simulation.scaling;
     RunSummary::FirstNucleation first{.time = state_.first_nucleation.time * scaling.time()};
     for (int i = 0; i < state_.front.mesh().dimension(); ++i)

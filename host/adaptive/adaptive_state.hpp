@@ -33,9 +33,9 @@ struct EdgeRange {
   double longest = 0;
 };
 
-/// Where and when the first defect made a crack; scaled.
+/// Where and when the first defect made a crack, once counts.nucleations > 0; scaled.
 struct FirstNucleation {
-  double time = -1;  ///< of the front there; -1: there is none yet
+  double time = 0;  ///< of the front there
   Point position{};
 };
 
@@ -44,7 +44,7 @@ struct AdaptiveLimits {
   double tolerance = 0;        ///< dissipation of one element
   double min_size = 0;         ///< cells whose longest edge is at most this are not refined
   double max_size = 0;         ///< coarsening makes no longer edge
-  double crack_size = 0;       ///< longest edge of cells at a crack whose damage grows
+  double crack_size = 0;       ///< longest edge of cells at a crack whose damage grows, at least min_size
   double max_pole_height = 0;  ///< of vertices on such a crack: damage changes by at most max_damage_step
   FractureLaw law{};           ///< of all cracks
 };

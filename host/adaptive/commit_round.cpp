@@ -204,7 +204,7 @@ class RoundCommit {
     std::vector<FootprintCell> large;
     for (const CellCorner& entry : mesh().star(patch.plan.vertex)) {
       const double size = longest_edge(mesh().simplex(entry.cell));
-      if (size <= 1.0001 * std::max(state_.limits.crack_size, state_.limits.min_size)) continue;
+      if (size <= 1.0001 * state_.limits.crack_size) continue;
       const auto vertices = mesh().vertices(entry.cell);
       if (std::ranges::any_of(vertices, [&](std::int32_t v) { return touches_active_crack(state_, v); }))
         large.push_back({entry.cell, mesh().cell(entry.cell).serial});

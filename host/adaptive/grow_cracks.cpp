@@ -74,8 +74,7 @@ class CrackMaker {
 
   /// The cell at the trigger once it is small enough, or none.
   std::int32_t refine_place(const DefectTrigger& trigger, std::int32_t cell) {
-    const double wanted = std::max(state_.limits.crack_size, state_.limits.min_size);
-    for (int depth = 0; depth < 40 && longest_edge(mesh().simplex(cell)) > 1.0001 * wanted; ++depth) {
+    for (int depth = 0; depth < 40 && longest_edge(mesh().simplex(cell)) > 1.0001 * state_.limits.crack_size; ++depth) {
       const std::int64_t serial = mesh().cell(cell).serial;
       refinement_.split({cell, serial});
       if (mesh().is_alive_cell(cell) && mesh().cell(cell).serial == serial) return none;

@@ -55,9 +55,9 @@ void judge_damage(const AdaptiveState& state, const PatchPlan& plan, const HostB
     verdict.shorten = true;
   }
   if (!state.has_refinement() || !(change > coarse_damage_step * limit)) return;
-  const double size = 1.0001 * std::max(state.limits.crack_size, state.limits.min_size);
   for (const FootprintCell& cell : plan.footprint)
-    if (longest_edge(state.front.mesh().simplex(cell.cell)) > size) verdict.refine.push_back(cell);
+    if (longest_edge(state.front.mesh().simplex(cell.cell)) > 1.0001 * state.limits.crack_size)
+      verdict.refine.push_back(cell);
   if (!verdict.refine.empty()) verdict.is_accepted = false;
 }
 

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <iostream>
+#include <set>
 #include <string>
 
 #include "host/command_line/commands.hpp"
@@ -12,14 +13,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path itself, or a machine file of that name that comes with the program: in the source tree the program is in
-/// build/PRESET, installed it is in bin.
+/// The folder of the machine files that come with the program: in the source tree the program is in build/PRESET,
+/// installed it is in bin.
+fs::path machine_folder() {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const char* place : {"../../device/machines", "../share/tentpole/machines"})
+    if (fs::is_directory(program / place)) return (program / place).lexically_normal();
+  return program;
+}
+
+std::string names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") names.insert(entry.path().filename());
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// The path itself, or a machine file of that name that comes with the program.
 fs::path find_machine_file(const fs::path& path) {
   if (fs::exists(path) || path.has_parent_path()) return path;
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const char* place : {"../../device/machines", "../share/tentpole/machines"})
-    if (fs::path found = folder / place / path; fs::is_regular_file(found)) return found.lexically_normal();
-  return path;
+  const fs::path folder = machine_folder();
+  if (fs::path found = folder / path; fs::is_regular_file(found)) return found;
+  throw InputError(
+      path.string() + ": is not a readable file, nor one that comes with the program (" + names_in(folder) +
+      "). Give a path or one of these names; `tentpole devices --calibrate FILE` writes one for this machine.");
 }
 
 std::string csv_row(const SweepPoint& point) {

@@ -22,7 +22,7 @@ struct CrackEdgeState {
   int num_points = 1;
   std::array<double, max_degree + 1> damage{};  ///< in [0, 1]
   std::array<double, max_degree + 1> gap{};     ///< a length
-  /// Largest effective traction of the last patch on the edge; none has been solved on a new edge.
+  /// Largest effective traction in the last patch on the edge; infinite until one has been solved.
   double effective_traction = std::numeric_limits<double>::infinity();
 };
 

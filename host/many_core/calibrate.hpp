@@ -16,15 +16,11 @@ constexpr int calibration_rows = 990;
 /// - core_bandwidth from what the whole matrix takes longer, on one core alone;
 /// - shared_bandwidth from what its shares take longer on all cores at once, each thread with rows of its own and
 ///   without forks or joins;
-/// - fork and join from loops over one short row per thread, up to the number of cores; `turn` from twice as many
-/// threads;
+/// - fork and join from loops over one short row per thread, up to the number of cores; `turn` from twice as many;
 /// - the caches and cores from the system. Page walks and arrivals are part of the measured times, so they are 0.
 ///
 /// Times are those that one repetition in ten beats, because other programs only ever lengthen them.
 Machine calibrate_machine();
-
-/// Measured time of one pass over the same rows on 1..most_threads threads [s], to be held against the model.
-std::vector<double> measure_sweep(int most_threads);
 
 /// Measured time of one pass over the same rows on 1..most_threads threads [s], to be held against the model.
 std::vector<double> measure_sweep(int most_threads);

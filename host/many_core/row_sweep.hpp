@@ -21,9 +21,8 @@ struct SweepPoint {
 /// - thread t runs on core t mod (usable cores); the threads of a core share its issue slots and its cache;
 /// - a row costs ceil(n / vector length) vectors; a core streams its rows (8 n bytes each), and in some passes as many
 ///   rows of an added matrix, through least-recently-used caches of data and of address translations;
-/// - what the data cache misses costs 1 / core_bandwidth + (a - 1) / shared_bandwidth per byte, where a is the number
-/// of
-///   cores that miss: each transfer waits for one of every other core;
+/// - what the data cache misses costs 1 / core_bandwidth + (a - 1) / shared_bandwidth per byte, where a is the
+///   number of cores that miss: each transfer waits for one of every other core;
 /// - fork and join cost `fixed` + `per_thread` p, and threads are let into the join one after the other.
 ///
 /// Deterministic. n >= 1, p >= 1.    Source: [Marwah 2014], section 3.3, explains its curves by these effects.

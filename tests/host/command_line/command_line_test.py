@@ -157,6 +157,7 @@ class Arguments(ProgramTest):
                                 (["devices", "--calibrate", "missing/m.toml"], "--calibrate missing/m.toml: cannot be written"),
                                 (["model"], "MACHINE is required"),
                                 (["model", "machine.toml"], "machine.toml: is not a readable file"),
+                                (["model", "machine.toml"], "xeon_phi_knc.toml, xeon_x5680_dual.toml"),
                                 (["model", "wave.toml"], "wave.toml:2: domain: unknown key."),
                                 (["model", "xeon_phi_knc.toml", "--threads", "4-1"], '--threads 4-1: "4-1" runs backwards'),
                                 (["model", "xeon_phi_knc.toml", "--rows", "0"], "--rows 0: must lie in [1, 100000]"),
