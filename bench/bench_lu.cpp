@@ -44,21 +44,27 @@ ThreadSpeedups& speedups() {
 }
 
 /// Ends the program unless the solution satisfies its equations to 1e-12 and is the reference's.
-double checked_error(const std::string& what, const PatchSystems& systems, const std::vector<double>& solution) {
+void check_solution(benchmark::State& state, const std::string& what, const PatchSystems& systems,
+                    const std::vector<double>& solution) {
   const SolutionError error = solution_error(systems, solution);
-  require_answer("bench_lu: " + what + ", difference from the reference", error.difference, 1e-10);
-  return require_answer("bench_lu: " + what + ", residual", error.residual, 1e-12);
+  state.counters["difference"] =
+      require_answer("bench_lu: " + what + ", difference from the reference", error.difference, 1e-10);
+  state.counters["error"] = require_answer("bench_lu: " + what + ", residual", error.residual, 1e-12);
+}
+
+double dense_flops(const PatchSystems& systems) {
+  const double size = systems.system.size;
+  return 2.0 / 3.0 * size * size * size + 2 * size * size;
 }
 
 /// What every variant reports. Useful operations are those of a dense factorisation and solve, whatever was done.
 void report(benchmark::State& state, const PatchSystems& systems, double seconds, int num_patches, double executed,
             int num_threads) {
-  const double size = systems.system.size, useful = 2.0 / 3.0 * size * size * size + 2 * size * size;
   const double rate = num_patches / seconds;
   state.counters["n"] = systems.batch.num_unknowns();
-  state.counters["N"] = size;
+  state.counters["N"] = systems.system.size;
   state.counters["s_per_patch"] = 1 / rate;
-  state.counters["GF/s"] = useful * rate * 1e-9;
+  state.counters["GF/s"] = dense_flops(systems) * rate * 1e-9;
   state.counters["executed_GF/s"] = executed / seconds * 1e-9;
   state.counters["dgemm_%"] = 100 * executed / seconds / machine_peaks(num_threads).dgemm;
 }
@@ -66,11 +72,6 @@ void report(benchmark::State& state, const PatchSystems& systems, double seconds
 void report_gain(benchmark::State& state, const ThreadGain& gain) {
   state.counters["speedup"] = gain.speedup;
   state.counters["efficiency"] = gain.efficiency;
-}
-
-double dense_flops(const PatchSystems& systems) {
-  const double size = systems.system.size;
-  return 2.0 / 3.0 * size * size * size + 2 * size * size;
 }
 
 /// The three dense variants.
@@ -82,7 +83,7 @@ double time_dense(benchmark::State& state, const char* name, const Size& size, i
   set_blas_threads(num_threads);
   const double seconds = repeat_timed(state, [&] { return seconds_of([&] { variant.solve(systems, solution); }); });
   set_blas_threads(1);
-  state.counters["error"] = checked_error(name + size.name(), systems, solution);
+  check_solution(state, name + size.name(), systems, solution);
   report(state, systems, seconds, 1, dense_flops(systems), num_threads);
   return seconds;
 }
@@ -104,7 +105,7 @@ void run_condensed(benchmark::State& state, const char* name, const Size& size, 
   const double seconds = repeat_timed(state, [&] { return variant.solve(); });
   require_answer(std::string("bench_lu: ") + name + size.name() + ", known polynomials",
                  polynomial_error(systems.batch, num_patches * size.num_elements), 1e-9);
-  state.counters["error"] = checked_error(name + size.name(), systems, variant.solution());
+  check_solution(state, name + size.name(), systems, variant.solution());
   report(state, systems, seconds, num_patches, variant.flops(), num_threads);
   if (num_patches > 1)
     report_gain(state, speedups().gain(name + size.name(), num_threads, seconds, [&] {
