@@ -76,7 +76,8 @@ inline void rigid_residual(const ElementOperator<D>& op, const ReferenceTablesVi
 }
 
 /// residual = b + P x - A c of one element, matrix-free from the weak form, with its dissipation and boundary work.
-/// Without coefficients and incoming amplitudes (nullptr) it is the right-hand side b. inflow_data: one block per
+/// Without coefficients and incoming amplitudes (nullptr) it is the right-hand side b, to which facets inside the patch
+/// add nothing. inflow_data: one block per
 /// inflow facet of the operator. All lanes get the same balance.
 template <int D, class Lanes>
 inline ElementBalance element_residual(const ElementOperator<D>& op, const ReferenceTablesView& tables,
@@ -93,11 +94,12 @@ inline ElementBalance element_residual(const ElementOperator<D>& op, const Refer
     inflow_residual<D>(op, op.inflow[f], tables, coefficients, inflow_data + f * data_size, scratch, residual, balance,
                        lanes);
   rigid_residual<D>(op, tables, shape, coefficients, incoming, inflow_data, residual, lanes);
-  for (int f = 0; f < op.num_inclined; ++f)
+  for (int f = 0; f < op.num_inclined && coefficients; ++f)
     inclined_residual<D>(op.inclined[f], tables, coefficients,
                          incoming ? incoming + op.inclined[f].port * shape.amplitudes_per_port : nullptr, scratch,
                          residual, balance, lanes);
   for (int f = 0; f < op.num_vertical; ++f) {
+    if (!coefficients && op.vertical[f].port != none) continue;
     const double* amplitudes =
         incoming && op.vertical[f].port != none ? incoming + op.vertical[f].port * shape.amplitudes_per_port : nullptr;
     vertical_residual<D>(op.vertical[f], tables, coefficients, amplitudes, prescribed, scratch, residual, balance,

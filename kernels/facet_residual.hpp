@@ -43,34 +43,26 @@ struct ElementBalance {
   double external_work = 0;
 };
 
-/// Jump s* - s of one component in modes on a vertical facet; `trace` holds v_c at [c], s_c at [D + c] (frame
-/// components, own normal). incoming: amplitudes of this facet [c][m] (interior), value: prescribed block [i][m] or
-/// nullptr (boundary).
+/// Data of one component in four modes from m on, with which the jump of a vertical facet is
+///   s* - s = data - trial(own)
+/// (facet_weights.hpp). incoming: amplitudes of this facet [c][m] (interior); prescribed: blocks [i][m] or nullptr
+/// (boundary); both count as zero where they are missing and beyond num_modes.
 template <int D>
-inline double target_jump(const VerticalFacet<D>& facet, int c, double velocity, double traction, double incoming,
-                          double value) {
-  double test_velocity, test_traction, trial_velocity, trial_traction;
-  facet_factors<D>(facet, c, test_velocity, test_traction, trial_velocity, trial_traction);
-  double data = value;
+inline Vector4 target_data(const VerticalFacet<D>& facet, double trial_traction, const double* incoming,
+                           const double* prescribed, int num_modes, int c, int m) {
+  Vector4 data{};
+  const int count = num_modes - m < 4 ? num_modes - m : 4;
   if (facet.port != none) {
-    const double outer = facet.outer_impedance[c];
-    data = trial_traction * sqrt(2 * outer / facet.measure) * incoming;
-  } else if (facet.kind[c] == BoundaryKind::velocity) {
-    data = facet.impedance[c] * value;
-  } else if (facet.kind[c] == BoundaryKind::absorbing) {
-    data = 0.5 * value;
+    const double scale = trial_traction * sqrt(2 * facet.outer_impedance[c] / facet.measure);
+    for (int s = 0; incoming && s < count; ++s) data[s] = scale * incoming[c * num_modes + m + s];
+    return data;
   }
-  return data - trial_velocity * velocity - trial_traction * traction;
-}
-
-/// Prescribed frame component of a boundary block at one mode, 0 without data.
-template <int D>
-inline double prescribed_component(const VerticalFacet<D>& facet, const double* prescribed, int num_modes, int c,
-                                   int m) {
-  if (facet.port != none || facet.boundary_data == none) return 0;
-  double value = 0;
-  for (int i = 0; i < D; ++i) value += facet.frame[c][i] * prescribed[facet.boundary_data + i * num_modes + m];
-  return value;
+  if (facet.boundary_data == none) return data;
+  for (int i = 0; i < D; ++i)
+    for (int s = 0; s < count; ++s)
+      data[s] += facet.frame[c][i] * prescribed[facet.boundary_data + i * num_modes + m + s];
+  if (facet.kind[c] == BoundaryKind::velocity) return facet.impedance[c] * data;
+  return facet.kind[c] == BoundaryKind::absorbing ? 0.5 * data : data;
 }
 
 /// residual += -A_N (w_ext - w) over one inflow facet. `data`: velocity, strain modes then displacement [D][D + 1]
@@ -82,13 +74,16 @@ inline void inflow_residual(const ElementOperator<D>& op, const FrontFacet<D>& f
   constexpr int num_fields = D + num_symmetric(D);
   const int stride = tables.facet_stride, num_modes = tables.num_facet_modes;
   const double* derivative = tables.facet_derivative(facet.facet);
-  gradient_modes<D>(tables, derivative, coefficients, scratch.gradient, lanes);
-  lanes.synchronize();
-  velocity_and_strain<D>(&op.inverse_jacobian[0][0], scratch.gradient, stride, scratch.trace, lanes);
-  lanes.synchronize();
+  if (coefficients) {
+    gradient_modes<D>(tables, derivative, coefficients, scratch.gradient, lanes);
+    lanes.synchronize();
+    velocity_and_strain<D>(&op.inverse_jacobian[0][0], scratch.gradient, stride, scratch.trace, lanes);
+    lanes.synchronize();
+  }
   for (int entry = lanes.first(); entry < num_fields * stride; entry += lanes.count()) {
     const int field = entry / stride, m = entry % stride;
-    scratch.trace[entry] = (m < num_modes ? data[field * num_modes + m] : 0) - scratch.trace[entry];
+    scratch.trace[entry] =
+        (m < num_modes ? data[field * num_modes + m] : 0) - (coefficients ? scratch.trace[entry] : 0);
   }
   lanes.synchronize();
   balance.dissipation += -facet_energy<D>(op, facet.covector, scratch.trace, stride, num_modes);
@@ -147,27 +142,30 @@ inline void vertical_residual(const VerticalFacet<D>& facet, const ReferenceTabl
   const double* derivative = tables.facet_derivative(facet.facet);
   gradient_modes<D>(tables, derivative, coefficients, scratch.gradient, lanes);
   lanes.synchronize();
-  for (int m = lanes.first(); m < stride; m += lanes.count()) {
-    for (int entry = 0; entry < d * D; ++entry) scratch.flux[entry * stride + m] = 0;
-    if (m >= num_modes) continue;
+  double trial_velocity[D], trial_traction[D], test_velocity[D], test_traction[D];
+  for (int c = 0; c < D; ++c)
+    facet_factors<D>(facet, c, test_velocity[c], test_traction[c], trial_velocity[c], trial_traction[c]);
+  for (int m = 4 * lanes.first(); m < stride; m += 4 * lanes.count()) {
+    Vector4 flux[D][d] = {};
     for (int c = 0; c < D; ++c) {
-      double velocity = 0, traction = 0;
+      Vector4 velocity{}, traction{};
       for (int i = 0; i < D; ++i)
         for (int l = 0; l < d; ++l) {
-          const double gradient = scratch.gradient[(i * d + l) * stride + m];
+          const Vector4 gradient = load4(scratch.gradient + (i * d + l) * stride + m);
           velocity += facet.velocity[c][i][l] * gradient;
           traction += facet.traction[c][i][l] * gradient;
         }
-      const double wave = facet.port != none && incoming ? incoming[c * num_modes + m] : 0;
-      const double jump = target_jump<D>(facet, c, velocity, traction, wave,
-                                         prescribed_component<D>(facet, prescribed, num_modes, c, m));
+      const Vector4 jump = target_data<D>(facet, trial_traction[c], incoming, prescribed, num_modes, c, m) -
+                           trial_velocity[c] * velocity - trial_traction[c] * traction;
       for (int i = 0; i < D; ++i)
         for (int l = 0; l < d; ++l)
-          scratch.flux[(l * D + i) * stride + m] +=
-              facet.measure * jump * (facet.velocity[c][i][l] + facet.traction[c][i][l] / facet.impedance[c]);
-      scratch.trace[c * stride + m] = jump;
-      scratch.trace[(D + c) * stride + m] = (velocity + jump / facet.impedance[c]) * (traction + jump);
+          flux[i][l] +=
+              (test_velocity[c] * facet.velocity[c][i][l] + test_traction[c] * facet.traction[c][i][l]) * jump;
+      store4(scratch.trace + c * stride + m, jump);
+      store4(scratch.trace + (D + c) * stride + m, (velocity + jump / facet.impedance[c]) * (traction + jump));
     }
+    for (int i = 0; i < D; ++i)
+      for (int l = 0; l < d; ++l) store4(scratch.flux + (l * D + i) * stride + m, flux[i][l]);
   }
   lanes.synchronize();
   for (int c = 0; c < D; ++c)

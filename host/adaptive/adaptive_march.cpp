@@ -39,6 +39,7 @@ AdaptiveLimits make_limits(const Simulation& simulation) {
   if (settings.fracture.enabled) {
     const double zone = settings.fracture.process_zone_size.value_or(scaling.speed * settings.fracture.relaxation_time);
     limits.crack_size = std::max(zone / 4 / scaling.length, limits.min_size);
+    limits.growth_length = settings.fracture.growth_length.value_or(zone / 4) / scaling.length;
     limits.law = scaled_fracture_law(simulation);
     limits.max_pole_height = settings.fracture.max_damage_step * settings.fracture.relaxation_time / scaling.time();
   }
@@ -57,6 +58,7 @@ AdaptiveMarch::AdaptiveMarch(RunBooks& books, const std::filesystem::path& folde
              .memory = {},
              .pending = {},
              .triggers = {},
+             .growths = {},
              .spent = {},
              .first_nucleation = {},
              .counts = {},
@@ -125,6 +127,7 @@ std::vector<std::int32_t> AdaptiveMarch::save(CheckpointContents& contents) cons
   write_vector(stream, state_.memory);
   write_vector(stream, state_.pending);
   write_vector(stream, state_.triggers);
+  write_vector(stream, state_.growths);
   write_vector(stream, std::vector<DefectId>(state_.spent.begin(), state_.spent.end()));
   write_value(stream, state_.first_nucleation);
   write_value(stream, state_.num_tested);
@@ -147,6 +150,7 @@ std::vector<std::int32_t> AdaptiveMarch::load(const CheckpointContents& contents
   state_.memory = read_vector<VertexMemory>(stream);
   state_.pending = read_vector<PendingSplit>(stream);
   state_.triggers = read_vector<DefectTrigger>(stream);
+  state_.growths = read_vector<CrackGrowth>(stream);
   const std::vector<DefectId> spent = read_vector<DefectId>(stream);
   state_.spent = {spent.begin(), spent.end()};
   state_.first_nucleation = read_value<FirstNucleation>(stream);

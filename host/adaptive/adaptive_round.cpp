@@ -1,11 +1,35 @@
 #include "host/adaptive/adaptive_round.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "device/work_queue.hpp"
 
 namespace tentpole {
 namespace {
+
+/// Plans at different local minima only read the front, so threads share them. Of several failures the first in the
+/// order of the vertices is thrown.
+std::vector<RoundPatch> plan_patches(const AdaptiveState& state) {
+  ScopedStage stage(state.books.timer, Stage::meshing);
+  const std::vector<std::int32_t> minima = state.front.local_minima(state.books.simulation.scaled_end_time());
+  const int count = static_cast<int>(minima.size());
+  std::vector<RoundPatch> patches(count);
+  std::exception_ptr failure;
+  int failed = count;
+#pragma omp parallel for num_threads(state.books.runner.num_host_threads()) schedule(monotonic : dynamic, 4)
+  for (int i = 0; i < count; ++i) try {
+      patches[i].plan = plan_patch(state, minima[i]);
+    } catch (...) {
+#pragma omp critical(tentpole_plan_failure)
+      if (i < failed) {
+        failed = i;
+        failure = std::current_exception();
+      }
+    }
+  if (failure) std::rethrow_exception(failure);
+  return patches;
+}
 
 void write_batch(AdaptiveState& state, PatchWriter& writer, std::span<RoundPatch> patches, std::int32_t number,
                  HostBatch& batch) {
@@ -22,12 +46,7 @@ void write_batch(AdaptiveState& state, PatchWriter& writer, std::span<RoundPatch
 }  // namespace
 
 AdaptiveRound solve_round(AdaptiveState& state, PatchWriter& writer, int max_patches) {
-  AdaptiveRound round;
-  {
-    ScopedStage stage(state.books.timer, Stage::meshing);
-    for (const std::int32_t vertex : state.front.local_minima(state.books.simulation.scaled_end_time()))
-      round.patches.push_back({plan_patch(state, vertex), 0, 0, {}});
-  }
+  AdaptiveRound round{.patches = plan_patches(state), .batches = {}};
   const std::size_t size = max_patches, count = (round.patches.size() + size - 1) / size;
   round.batches.resize(count);  // before any is solved: they must not move
   try {

@@ -45,15 +45,16 @@ struct AdaptiveLimits {
   double min_size = 0;         ///< cells whose longest edge is at most this are not refined
   double max_size = 0;         ///< coarsening makes no longer edge
   double crack_size = 0;       ///< longest edge of cells at a crack whose damage grows, at least min_size
+  double growth_length = 0;    ///< of the surface that a defect adds to a crack tip or to each side of itself
   double max_pole_height = 0;  ///< of vertices on such a crack: damage changes by at most max_damage_step
   FractureLaw law{};           ///< of all cracks
 };
 
 /// What a vertex remembers from patch to patch.
 struct VertexMemory {
-  std::uint8_t may_be_deleted = 0;  ///< all elements of its last patch were far below the tolerance
-  std::uint8_t keeps_shape = 0;     ///< its last deletion, flip or inclined tent was rejected: the next is a plain tent
-  std::uint8_t halvings = 0;        ///< of the next pole's height, after patches that failed
+  float dissipation = std::numeric_limits<float>::infinity();  ///< largest of its last tent's elements / tolerance
+  std::uint8_t keeps_shape = 0;  ///< its last deletion, flip or inclined tent was rejected: the next is a plain tent
+  std::uint8_t halvings = 0;     ///< of the next pole's height, after patches that failed
 };
 
 /// A cell whose refinement was refused and is tried again after later tents.
@@ -72,6 +73,7 @@ struct AdaptiveState {
   std::vector<VertexMemory> memory;         ///< [vertex slot]
   std::vector<PendingSplit> pending;
   std::vector<DefectTrigger> triggers;  ///< defects that have given way and wait for their crack
+  std::vector<CrackGrowth> growths;     ///< surfaces that wait for their next edge
   std::set<DefectId> spent;             ///< defects of the field that made a crack or wait for one
   FirstNucleation first_nucleation;
   std::int64_t num_tested = 0;  ///< cells tested by the sampled model

@@ -10,6 +10,9 @@
 namespace tentpole {
 namespace {
 
+/// Poles of a patch above tolerance are halved this often where no split is admissible, before it is accepted so.
+constexpr int patient_halvings = 2;
+
 class RoundCommit {
  public:
   RoundCommit(AdaptiveState& state, DefectSearch& search, const AdaptiveRound& round)
@@ -39,7 +42,7 @@ class RoundCommit {
     state_.counts.min_size_hits += patch.verdict.min_size_hits;
     VertexMemory& memory = state_.memory[patch.plan.vertex];
     memory = {};
-    memory.may_be_deleted = patch.verdict.may_be_deleted;
+    memory.dissipation = patch.verdict.dissipation;
     switch (patch.plan.operation) {
       case PatchOperation::deletion:
         accept_deletion(patch);
@@ -161,13 +164,13 @@ class RoundCommit {
     const bool is_tent = patch.plan.operation == PatchOperation::tent;
     bool shorten = verdict.shorten;
     if (!changed && !shorten && is_tent) {
-      if (verdict.is_solved) return accept_above_tolerance(patch);
-      shorten = state_.memory[patch.plan.vertex].halvings < max_halvings;
+      shorten = state_.memory[patch.plan.vertex].halvings < (verdict.is_solved ? patient_halvings : max_halvings);
+      if (!shorten && verdict.is_solved) return accept_above_tolerance(patch);
       if (!shorten) fail(patch);
     }
     ++state_.counts.rejected;
     VertexMemory& memory = state_.memory[patch.plan.vertex];
-    memory.may_be_deleted = 0;
+    memory.dissipation = VertexMemory{}.dissipation;
     memory.keeps_shape = !is_tent;
     if (shorten) ++memory.halvings;
     const PatchDescriptor& descriptor = round_.descriptor(patch);

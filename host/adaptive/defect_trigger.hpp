@@ -14,7 +14,13 @@ struct DefectTrigger {
   std::array<PlaneNormal, 2> normal;  ///< of the surfaces that bear most; D = 1 needs none
   int num_normals;
   std::optional<DefectId> defect;  ///< of the field; none for a test of the sampled model
-  int tries = 0;                   ///< rounds in which no crack could be made
+};
+
+/// A surface in the making: it goes straight on from a vertex.
+struct CrackGrowth {
+  std::int32_t vertex;  ///< where its next edge begins
+  Point direction;      ///< of unit length
+  double remaining;     ///< length that is missing, scaled
 };
 
 }  // namespace tentpole

@@ -2,63 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "host/adaptive/crack_growth.hpp"
 #include "host/front/point_location.hpp"
 #include "host/mesh/simplex_geometry.hpp"
 
 namespace tentpole {
 namespace {
 
-/// Rounds that a trigger waits for an admissible edge.
-constexpr int max_tries = 200;
 /// A branch leaves the crack at this angle at least.
 constexpr double branch_cosine = 0.866;  // 30 degrees
-/// An existing edge is taken where its direction is off by this much at most; otherwise the opposite edge is cut.
-constexpr double edge_cosine = 0.94;  // 20 degrees
-/// Cuts keep this distance from the ends of an edge.
-constexpr double smallest_fraction = 0.3;
 
-Point direction_between(const FrontMesh& mesh, std::int32_t from, std::int32_t to) {
-  const Point step = difference(mesh.position(to), mesh.position(from));
-  const double length = std::sqrt(dot(step, step));
-  return {step[0] / length, step[1] / length, 0};
+Point opposite(const Point& direction) {
+  return {-direction[0], -direction[1], 0};
 }
 
-bool is_on_boundary(const FrontMesh& mesh, std::int32_t vertex) {
-  for (const CellCorner& entry : mesh.star(vertex)) {
-    const FrontCell& cell = mesh.cell(entry.cell);
-    for (int facet = 0; facet <= mesh.dimension(); ++facet)
-      if (cell.vertex[facet] != vertex && cell.boundary[facet] != none) return true;
-    if (mesh.dimension() == 1 && cell.boundary[1 - entry.corner] != none) return true;
-  }
-  return false;
+/// Direction of a surface with the n-th normal.
+Point along(const DefectTrigger& trigger, int n) {
+  return {-trigger.normal[n][1], trigger.normal[n][0], 0};
 }
 
-/// Where a ray from a vertex leaves the star: the cell's opposite edge and the place on it.
-struct RayExit {
-  std::int32_t first, second;
-  double fraction;  ///< from first to second
-};
-
-std::optional<RayExit> ray_exit(const FrontMesh& mesh, std::int32_t vertex, const Point& direction) {
-  for (const CellCorner& entry : mesh.star(vertex)) {
-    const auto vertices = mesh.vertices(entry.cell);
-    const std::int32_t first = vertices[entry.corner == 0 ? 1 : 0], second = vertices[entry.corner == 2 ? 1 : 2];
-    const Point a = difference(mesh.position(first), mesh.position(vertex));
-    const Point b = difference(mesh.position(second), mesh.position(vertex));
-    // direction = alpha a + beta b, both not negative, in this cell
-    const double determinant = a[0] * b[1] - a[1] * b[0];
-    const double alpha = (direction[0] * b[1] - direction[1] * b[0]) / determinant;
-    const double beta = (a[0] * direction[1] - a[1] * direction[0]) / determinant;
-    if (alpha >= 0 && beta >= 0 && alpha + beta > 0) return RayExit{first, second, beta / (alpha + beta)};
-  }
-  return std::nullopt;
-}
-
-class CrackMaker {
+class TriggerFollower {
  public:
-  CrackMaker(AdaptiveState& state, Refinement& refinement) : state_(state), refinement_(refinement) {}
+  TriggerFollower(AdaptiveState& state, Refinement& refinement)
+      : state_(state), refinement_(refinement), grower_(state, refinement) {}
 
   /// Whether the trigger is done with.
   bool follow(const DefectTrigger& trigger) {
@@ -66,7 +33,14 @@ class CrackMaker {
     if (cell == none) return true;
     if (state_.has_refinement()) cell = refine_place(trigger, cell);
     if (cell == none) return false;
-    return mesh().dimension() == 1 ? nucleate_vertex(trigger, cell) : make_edges(trigger, cell);
+    return mesh().dimension() == 1 ? nucleate_vertex(trigger, cell) : make_surface(trigger, cell);
+  }
+
+  void finish_growths() {
+    std::vector<CrackGrowth> unfinished;
+    for (CrackGrowth& growth : state_.growths)
+      if (!grower_.grow(growth)) unfinished.push_back(growth);
+    state_.growths = std::move(unfinished);
   }
 
  private:
@@ -83,10 +57,21 @@ class CrackMaker {
     return cell;
   }
 
-  std::int32_t nearest_vertex(const DefectTrigger& trigger, std::int32_t cell) const {
-    const auto vertices = mesh().vertices(cell);
-    return *std::ranges::min_element(
-        vertices, {}, [&](std::int32_t vertex) { return distance(mesh().position(vertex), trigger.position); });
+  double distance_to(const DefectTrigger& trigger, std::int32_t vertex) const {
+    return distance(mesh().position(vertex), trigger.position);
+  }
+
+  /// The vertices of the cell and, from them on, all within reach of the trigger; the nearest first.
+  std::vector<std::int32_t> vertices_near(const DefectTrigger& trigger, std::int32_t cell) const {
+    const auto corners = mesh().vertices(cell);
+    std::vector<std::int32_t> found(corners.begin(), corners.end());
+    for (std::size_t next = 0; next < found.size(); ++next)
+      for (const std::int32_t other : mesh().neighbors(found[next]))
+        if (distance_to(trigger, other) <= state_.limits.growth_length &&
+            std::ranges::find(found, other) == found.end())
+          found.push_back(other);
+    std::ranges::sort(found, {}, [&](std::int32_t vertex) { return std::pair(distance_to(trigger, vertex), vertex); });
+    return found;
   }
 
   void count_nucleation(const DefectTrigger& trigger, std::int32_t vertex) {
@@ -94,7 +79,7 @@ class CrackMaker {
   }
 
   bool nucleate_vertex(const DefectTrigger& trigger, std::int32_t cell) {
-    const std::int32_t vertex = nearest_vertex(trigger, cell);
+    const std::int32_t vertex = vertices_near(trigger, cell).front();
     if (is_on_boundary(mesh(), vertex) || state_.front.crack_edge(vertex, vertex) != none) return true;
     state_.front.mark_crack(vertex, vertex);
     state_.follow_front();
@@ -102,23 +87,31 @@ class CrackMaker {
     return true;
   }
 
-  bool make_edges(const DefectTrigger& trigger, std::int32_t cell) {
-    std::int32_t tip = none, body = none;
-    for (const std::int32_t vertex : mesh().vertices(cell)) {
-      const std::size_t edges = state_.front.cracks().at(vertex).size();
-      if (edges == 1 && !is_on_boundary(mesh(), vertex) && tip == none) tip = vertex;
-      if (edges > 1 || (edges == 1 && tip != vertex)) body = vertex;
-    }
-    if (tip != none) return extend(trigger, tip);
-    if (body != none) return branch(trigger, body);
-    return nucleate(trigger, nearest_vertex(trigger, cell));
+  bool is_growing(std::int32_t vertex) const {
+    return std::ranges::find(state_.growths, vertex, &CrackGrowth::vertex) != state_.growths.end();
   }
 
-  /// Direction of a surface with the n-th normal.
-  static Point along(const DefectTrigger& trigger, int n) { return {-trigger.normal[n][1], trigger.normal[n][0], 0}; }
+  bool make_surface(const DefectTrigger& trigger, std::int32_t cell) {
+    const std::vector<std::int32_t> near = vertices_near(trigger, cell);
+    const auto num_edges = [&](std::int32_t vertex) { return state_.front.cracks().at(vertex).size(); };
+    const auto tip = std::ranges::find_if(
+        near, [&](std::int32_t vertex) { return num_edges(vertex) == 1 && !is_on_boundary(mesh(), vertex); });
+    if (tip != near.end()) return extend(trigger, *tip);
+    const auto body = std::ranges::find_if(near, [&](std::int32_t vertex) { return num_edges(vertex) > 0; });
+    if (body != near.end()) return branch(trigger, *body);
+    return nucleate(trigger, near.front());
+  }
+
+  /// Whether the trigger is done with: its surface has begun, or there can be none.
+  bool start(const CrackGrowth& growth, std::int64_t& count) {
+    const CrackGrower::Start outcome = grower_.start(growth);
+    if (outcome == CrackGrower::Start::begun) ++count;
+    return outcome != CrackGrower::Start::must_wait;
+  }
 
   /// Goes on from the tip into the half space ahead; of mirrored directions that which turns less.
   bool extend(const DefectTrigger& trigger, std::int32_t tip) {
+    if (is_growing(tip)) return false;
     const auto& edge = state_.front.cracks().edge(state_.front.cracks().at(tip)[0]);
     const Point ahead = direction_between(mesh(), edge[0] == tip ? edge[1] : edge[0], tip);
     Point best{};
@@ -128,96 +121,60 @@ class CrackMaker {
       const double cosine = dot(way, ahead);
       if (std::fabs(cosine) > turn) {
         turn = std::fabs(cosine);
-        best = cosine < 0 ? Point{-way[0], -way[1], 0} : way;
+        best = cosine < 0 ? opposite(way) : way;
       }
     }
-    const bool made = add_edge(tip, best);
-    if (made) ++state_.counts.extensions;
-    return made;
+    return start({tip, best, state_.limits.growth_length}, state_.counts.extensions);
   }
 
   /// Leaves the middle of a crack where the direction differs enough from all edges there. A surface nearly along the
   /// crack needs none of its own.
   bool branch(const DefectTrigger& trigger, std::int32_t vertex) {
+    if (is_growing(vertex)) return false;
     const auto edges = state_.front.cracks().at(vertex);
     if (edges.size() > 2) return true;
     Point best{};
     double smallest = 1;
     for (int n = 0; n < trigger.num_normals; ++n)
-      for (const double sign : {1.0, -1.0}) {
-        const Point way = along(trigger, n), signed_way{sign * way[0], sign * way[1], 0};
+      for (const Point& way : {along(trigger, n), opposite(along(trigger, n))}) {
         double closest = -1;
         for (const std::int32_t index : edges) {
           const auto& edge = state_.front.cracks().edge(index);
-          closest = std::max(closest,
-                             dot(signed_way, direction_between(mesh(), vertex, edge[0] == vertex ? edge[1] : edge[0])));
+          const std::int32_t other = edge[0] == vertex ? edge[1] : edge[0];
+          closest = std::max(closest, dot(way, direction_between(mesh(), vertex, other)));
         }
         if (closest < smallest) {
           smallest = closest;
-          best = signed_way;
+          best = way;
         }
       }
     if (smallest > branch_cosine) return true;
-    const bool made = add_edge(vertex, best);
-    if (made) ++state_.counts.branches;
-    return made;
+    return start({vertex, best, state_.limits.growth_length}, state_.counts.branches);
   }
 
   bool nucleate(const DefectTrigger& trigger, std::int32_t vertex) {
     const Point way = along(trigger, 0);
-    const bool first = add_edge(vertex, way), second = add_edge(vertex, {-way[0], -way[1], 0});
-    if (first || second) count_nucleation(trigger, vertex);
-    return first || second;
-  }
-
-  /// One crack edge from a vertex in about this direction; false where none is admissible now or the ray leaves the
-  /// domain.
-  bool add_edge(std::int32_t vertex, const Point& direction) {
-    const std::optional<RayExit> exit = ray_exit(mesh(), vertex, direction);
-    if (!exit) return false;
-    std::int32_t end = none;
-    double best = edge_cosine;
-    for (const std::int32_t candidate : {exit->first, exit->second})
-      if (const double cosine = dot(direction_between(mesh(), vertex, candidate), direction); cosine > best) {
-        best = cosine;
-        end = candidate;
-      }
-    if (end == none) end = cut_or_nearest(*exit, vertex, direction);
-    if (end == none || !is_free_edge(vertex, end)) return false;
-    const bool joins = !state_.front.cracks().at(end).empty() || is_on_boundary(mesh(), end);
-    state_.front.mark_crack(vertex, end);
-    state_.follow_front();
-    if (joins) ++state_.counts.coalescences;
+    const CrackGrower::Start first = grower_.start({vertex, way, state_.limits.growth_length});
+    if (first == CrackGrower::Start::must_wait) return false;
+    CrackGrowth second{vertex, opposite(way), state_.limits.growth_length};
+    if (!grower_.grow(second)) state_.growths.push_back(second);
+    if (!state_.front.cracks().at(vertex).empty()) count_nucleation(trigger, vertex);
     return true;
-  }
-
-  /// A new vertex on the opposite edge; where that would leave pieces shorter than half the least size of cells, the
-  /// end of the edge that is nearest to the direction.
-  std::int32_t cut_or_nearest(const RayExit& exit, std::int32_t vertex, const Point& direction) {
-    const double fraction = std::clamp(exit.fraction, smallest_fraction, 1 - smallest_fraction);
-    const double length = distance(mesh().position(exit.first), mesh().position(exit.second));
-    if (std::min(fraction, 1 - fraction) * length >= state_.limits.min_size / 2)
-      return refinement_.split_edge(exit.first, exit.second, fraction);
-    const auto cosine = [&](std::int32_t end) { return dot(direction_between(mesh(), vertex, end), direction); };
-    return cosine(exit.first) >= cosine(exit.second) ? exit.first : exit.second;
-  }
-
-  /// Inside the domain and no crack yet.
-  bool is_free_edge(std::int32_t a, std::int32_t b) const {
-    return mesh().cells_with(a, b).size == 2 && state_.front.crack_edge(a, b) == none;
   }
 
   AdaptiveState& state_;
   Refinement& refinement_;
+  CrackGrower grower_;
 };
 
 }  // namespace
 
 void grow_cracks(AdaptiveState& state, Refinement& refinement) {
-  CrackMaker maker(state, refinement);
+  TriggerFollower follower(state, refinement);
+  follower.finish_growths();
   std::vector<DefectTrigger> waiting;
-  for (DefectTrigger& trigger : state.triggers)
-    if (!maker.follow(trigger) && ++trigger.tries < max_tries) waiting.push_back(trigger);
+  for (const DefectTrigger& trigger : state.triggers)
+    if (!follower.follow(trigger)) waiting.push_back(trigger);
   state.triggers = std::move(waiting);
 }
 

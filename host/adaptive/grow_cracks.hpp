@@ -4,10 +4,11 @@
 
 namespace tentpole {
 
-/// Turns triggers into crack edges, in the order in which they came: refines the place of those whose cell is larger
-/// than limits.crack_size; then a trigger beside a crack tip extends that crack by an edge, one beside the middle of a
-/// crack branches off if its direction differs enough, and any other nucleates two opposite edges at the nearest
-/// vertex. Triggers that find no admissible edge wait for later rounds, at most 200.
+/// Goes on with unfinished surfaces, then turns triggers into new ones, in the order in which they came. First the
+/// place is refined, where its cell is larger than limits.crack_size. A crack tip within limits.growth_length is
+/// extended; a crack within it gets a branch if the direction differs enough; otherwise a new crack begins at the
+/// nearest vertex, with an arm to each side. An extension, a branch and an arm are growth_length long, whatever the
+/// cells. What is not admissible now waits for later rounds.
 void grow_cracks(AdaptiveState& state, Refinement& refinement);
 
 }  // namespace tentpole

@@ -38,8 +38,7 @@ void judge_dissipation(const AdaptiveState& state, const PatchPlan& plan, const 
       ++verdict.min_size_hits;
     }
   }
-  verdict.may_be_deleted =
-      largest < state.books.simulation.settings.adaptivity.coarsening * state.limits.tolerance && is_tent(plan);
+  if (is_tent(plan)) verdict.dissipation = static_cast<float>(largest / state.limits.tolerance);
 }
 
 /// Damage that grows needs cells of crack_size and steps of max_damage_step. A surface at rest may have had larger

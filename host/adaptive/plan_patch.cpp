@@ -9,6 +9,9 @@ namespace {
 /// Cells with a smaller angle are worth a flip or an inclined pole.
 constexpr double poor_angle_sine = 0.5;  // 30 degrees
 
+/// Where a patch had less than this part of the tolerance nothing is refined next, so poles need not be gentle.
+constexpr double still_dissipation = 1e-3;
+
 /// Part of the tolerated height that a pole keeps after its patch failed.
 double shortened(double bottom, double top, int halvings) {
   return bottom + (top - bottom) * std::ldexp(1.0, -halvings);
@@ -45,7 +48,8 @@ std::optional<FlipPlan> best_flip(const AdaptiveFront& front, std::int32_t verte
 
 double tent_top(const AdaptiveState& state, std::int32_t vertex) {
   const double bottom = state.front.time(vertex);
-  double top = state.front.pole_top_time(vertex, state.books.simulation.scaled_end_time());
+  const Pitch pitch = state.memory[vertex].dissipation < still_dissipation ? Pitch::full : Pitch::gentle;
+  double top = state.front.pole_top_time(vertex, state.books.simulation.scaled_end_time(), pitch);
   if (state.memory[vertex].halvings > 0) top = shortened(bottom, top, state.memory[vertex].halvings);
   if (touches_active_crack(state, vertex)) top = std::min(top, bottom + state.limits.max_pole_height);
   return top;
@@ -57,7 +61,7 @@ PatchPlan plan_patch(const AdaptiveState& state, std::int32_t vertex) {
   const FrontMesh& mesh = state.front.mesh();
   PatchPlan plan;
   plan.vertex = vertex;
-  if (state.memory[vertex].may_be_deleted) {
+  if (state.memory[vertex].dissipation < state.books.simulation.settings.adaptivity.coarsening) {
     DeletionLimits limits;
     limits.longest_edge = coarse_limit(state, vertex);
     plan.deletion = state.front.plan_deletion(vertex, limits);

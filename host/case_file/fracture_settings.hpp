@@ -46,6 +46,7 @@ struct FractureSettings {
   double friction = 0;                      ///< k_f of closed surfaces
   double max_damage_step = 0.2;             ///< largest change of damage in one patch, in (0, 1]
   std::optional<double> process_zone_size;  ///< [m]; absent: c_p tau of the material
+  std::optional<double> growth_length;      ///< [m]; absent: process_zone_size / 4
   NucleationSettings nucleation;
   std::vector<CrackSettings> cracks;
 };

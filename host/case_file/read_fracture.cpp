@@ -27,6 +27,9 @@ void read_resolution(const TableReader& reader, FractureSettings& fracture) {
   fracture.process_zone_size =
       reader.number("process_zone_size", Presence::optional,
                     positive("Give a length in m, or leave it out for wave speed times relaxation_time."));
+  fracture.growth_length =
+      reader.number("growth_length", Presence::optional,
+                    positive("Give a length in m, or leave it out for a quarter of process_zone_size."));
 }
 
 /// A surface that appears under more than the threshold has missed part of its damage.
@@ -48,7 +51,7 @@ FractureSettings read_fracture(const SectionContext& context) {
   const TableReader reader = context.section("fracture");
   if (!reader.is_given()) return fracture;
   reader.allow_only({"enabled", "threshold", "strength", "relaxation_time", "delay_exponent", "shear_factor",
-                     "friction", "max_damage_step", "process_zone_size", "nucleation", "crack"});
+                     "friction", "max_damage_step", "process_zone_size", "growth_length", "nucleation", "crack"});
   fracture.enabled = reader.boolean("enabled", Presence::required).value_or(false);
   read_law(reader, fracture.enabled ? Presence::required : Presence::optional, fracture);
   read_resolution(reader, fracture);

@@ -74,7 +74,7 @@ double AdaptiveFront::latest_time(int vertex, double factor) const {
   return latest;
 }
 
-double AdaptiveFront::latest_pitch_time(int vertex) const {
+double AdaptiveFront::latest_gentle_time(int vertex) const {
   double travel_time = infinity;
   for (const auto& [cell, corner] : mesh_.star(vertex))
     travel_time =
@@ -83,8 +83,9 @@ double AdaptiveFront::latest_pitch_time(int vertex) const {
   return gentle - time(vertex) >= smallest_gentle_height * travel_time ? gentle : latest_time(vertex, 1);
 }
 
-double AdaptiveFront::pole_top_time(int vertex, double end_time) const {
-  const double bottom = time(vertex), latest = latest_pitch_time(vertex);
+double AdaptiveFront::pole_top_time(int vertex, double end_time, Pitch pitch) const {
+  const double bottom = time(vertex);
+  const double latest = pitch == Pitch::gentle ? latest_gentle_time(vertex) : latest_time(vertex, 1);
   double top = latest;
   if (latest >= end_time)
     top = end_time;

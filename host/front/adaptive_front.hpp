@@ -13,9 +13,12 @@
 
 namespace tentpole {
 
+/// How steep a tent may make the front: gentle slopes leave room for splits.
+enum class Pitch { gentle, full };
+
 struct AdaptiveFrontRules {
   double causality = 0.95;      ///< gamma in (0, 1]
-  double pitch_factor = 0.65;   ///< poles obey the limits for this fraction of gamma / c, so that splits are admissible
+  double pitch_factor = 0.65;   ///< gentle poles obey the limits for this fraction of gamma / c
   double max_pole_speed = 0.5;  ///< of an inclined pole, as a fraction of the slowest wave speed around, < 1
   double start_time = 0;
 };
@@ -45,10 +48,10 @@ class AdaptiveFront {
   /// Earliest time on the front. O(number of local minima).
   double minimum_time() const;
 
-  /// Top of the vertical tent pole at a local minimum: the causal and the progress limit for pitch_factor gamma, or for
-  /// gamma itself where that leaves less than 0.2 of an altitude / c; at most `end_time`, and half of the rest where
-  /// less than two heights remain. Throws std::runtime_error where the precision of the times is exhausted.
-  double pole_top_time(int vertex, double end_time) const;
+  /// Top of the vertical tent pole at a local minimum: the causal and the progress limit for gamma; with a gentle pitch
+  /// for pitch_factor gamma unless that leaves less than 0.2 of an altitude / c; at most `end_time`, and half of the
+  /// rest where less than two heights remain. Throws std::runtime_error where the precision of the times is exhausted.
+  double pole_top_time(int vertex, double end_time, Pitch pitch = Pitch::gentle) const;
   void raise(int vertex, double time);
 
   /// Where the vertex should go for better cells: half of the way to the mean of its neighbours (line vertices: those
@@ -110,7 +113,7 @@ class AdaptiveFront {
 
   double slope_limit_of(int cell) const { return slope_limit_[mesh_.cell(cell).region]; }
   double latest_time(int vertex, double factor) const;
-  double latest_pitch_time(int vertex) const;
+  double latest_gentle_time(int vertex) const;
   Footprint footprint_of(std::span<const std::int32_t> cells) const;
   std::vector<std::int32_t> replace(std::span<const std::int32_t> removed, std::span<const NewFrontCell> added,
                                     std::span<const NewBoundaryFacet> boundary = {});

@@ -11,13 +11,13 @@
 namespace tentpole {
 
 std::int32_t CrackEdges::find(std::int32_t a, std::int32_t b) const {
-  const auto entry = index_.find({std::min(a, b), std::max(a, b)});
-  return entry == index_.end() ? none : entry->second;
+  for (const std::int32_t index : at(a))
+    if (edges_[index] == Edge{std::min(a, b), std::max(a, b)}) return index;
+  return none;
 }
 
 void CrackEdges::insert(std::int32_t index) {
   const Edge& edge = edges_[index];
-  index_[edge] = index;
   if (edge[1] >= static_cast<int>(at_vertex_.size())) at_vertex_.resize(edge[1] + 1);
   at_vertex_[edge[0]].push_back(index);
   if (edge[0] != edge[1]) at_vertex_[edge[1]].push_back(index);
@@ -32,7 +32,6 @@ std::int32_t CrackEdges::mark(std::int32_t a, std::int32_t b) {
 
 std::array<std::int32_t, 2> CrackEdges::split(std::int32_t index, std::int32_t middle) {
   const Edge whole = edges_[index];
-  index_.erase(whole);
   for (const std::int32_t vertex : whole) std::erase(at_vertex_[vertex], index);
   return {mark(whole[0], middle), mark(whole[1], middle)};
 }

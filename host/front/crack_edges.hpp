@@ -3,9 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <iosfwd>
-#include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace tentpole {
@@ -41,8 +39,7 @@ class CrackEdges {
   void insert(std::int32_t index);
 
   std::vector<Edge> edges_;
-  std::map<Edge, std::int32_t> index_;  ///< edges in use
-  std::vector<std::vector<std::int32_t>> at_vertex_;
+  std::vector<std::vector<std::int32_t>> at_vertex_;  ///< [vertex]: edges in use
 };
 
 }  // namespace tentpole

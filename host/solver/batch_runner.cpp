@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include <omp.h>
+
 #include "host/solver/dense_fallback.hpp"
 
 namespace tentpole {
@@ -22,6 +24,7 @@ BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int
     : simulation_(simulation),
       device_(device),
       shape_(solver_shape(device, threads)),
+      num_host_threads_(threads > 0 ? threads : omp_get_max_threads()),
       timer_(timer),
       traffic_(traffic),
       host_tables_(simulation.dimension(), simulation.degree()),

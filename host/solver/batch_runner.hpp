@@ -30,6 +30,7 @@ class BatchRunner {
 
   std::int64_t num_fallbacks() const { return num_fallbacks_; }
   int num_threads() const { return shape_.workers; }
+  int num_host_threads() const { return num_host_threads_; }  ///< for work beside the device
 
   /// Rows of the element store, for checkpoints.
   void read_slots(std::span<const std::int32_t> slots, std::vector<double>& coefficients,
@@ -52,6 +53,7 @@ class BatchRunner {
   const Simulation& simulation_;
   Device device_;
   PatchSolverShape shape_;
+  int num_host_threads_;
   StageTimer& timer_;
   TrafficCounters& traffic_;
   ReferenceTables host_tables_;

@@ -198,6 +198,7 @@ void add_fracture(const FractureSettings& fracture, SettingList& list) {
   list.add("fracture.friction", fracture.friction);
   list.add("fracture.max_damage_step", fracture.max_damage_step);
   if (fracture.process_zone_size) list.add("fracture.process_zone_size", *fracture.process_zone_size);
+  if (fracture.growth_length) list.add("fracture.growth_length", *fracture.growth_length);
   int number = 0;
   for (const CrackSettings& crack : fracture.cracks) {
     const std::string key = "fracture.crack " + std::to_string(++number);

@@ -75,7 +75,7 @@ TEST_P(GaussianPulse, NeedsFewerElementsForTheSameError) {
   EXPECT_LE(rejected, 0.25);
   EXPECT_GT(counts.rejected, 0);
   EXPECT_EQ(counts.min_size_hits, 0);
-  EXPECT_TRUE(adaptive.summary.warnings.empty());
+  EXPECT_TRUE(adaptive.summary.warnings.empty()) << adaptive.summary.warnings.front();
   const RunSummary::Energy& energy = adaptive.summary.energy;
   EXPECT_LE(std::fabs(energy.balance_error()), 1e-9 * energy.initial);
   EXPECT_LE(energy.largest_patch_imbalance, 1e-9);

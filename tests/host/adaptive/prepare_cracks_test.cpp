@@ -11,7 +11,7 @@
 #include "host/case_file/input_error.hpp"
 #include "host/mesh/simplex_geometry.hpp"
 #include "host/output/binary_stream.hpp"
-#include "tests/host/output/result_folder.hpp"
+#include "tests/host/adaptive/march_books.hpp"
 #include "tests/host/solver/case_text.hpp"
 #include "tests/host/solver/solved_run.hpp"
 
@@ -47,20 +47,8 @@ struct PreparedFront {
 };
 
 PreparedFront prepare(const Simulation& simulation) {
-  const ResultFolder folder("prepared");
-  StageTimer timer;
-  TrafficCounters traffic;
-  ElementStore store;
-  BatchRunner runner(simulation, host_device(), 1, timer, traffic);
-  RecorderOptions options;
-  options.dimension = simulation.dimension();
-  options.degree = simulation.degree();
-  options.folder = folder.path();
-  Recorder recorder(options);
-  History history(folder.path(), 1, 1);
-  Ledger ledger(simulation, recorder, history);
-  RunBooks books{simulation, store, runner, ledger, recorder, history, timer, traffic};
-  const AdaptiveMarch march(books, folder.path());
+  testing::MarchBooks books(simulation);
+  const AdaptiveMarch march(books.get(), books.folder());
   CheckpointContents contents;
   march.save(contents);
   std::istringstream stream(contents.march, std::ios::binary);

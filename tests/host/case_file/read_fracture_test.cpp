@@ -89,6 +89,7 @@ TEST(ReadFracture, FullExampleHasEveryValue) {
   EXPECT_EQ(fracture.friction, 0.3);
   EXPECT_EQ(fracture.max_damage_step, 0.1);
   EXPECT_EQ(fracture.process_zone_size, 9e-6);
+  EXPECT_EQ(fracture.growth_length, 3e-6);
   ASSERT_EQ(fracture.cracks.size(), 1u);
   EXPECT_EQ(fracture.cracks[0].damage, 0.25);
   ASSERT_EQ(fracture.cracks[0].points.size(), 2u);
@@ -117,6 +118,7 @@ TEST(ReadFracture, LawHasUsualDefaults) {
   EXPECT_EQ(fracture.friction, 0);
   EXPECT_EQ(fracture.max_damage_step, 0.2);
   EXPECT_FALSE(fracture.process_zone_size.has_value());
+  EXPECT_FALSE(fracture.growth_length.has_value());
 }
 
 TEST(ReadFracture, WeibullDefectsHaveALocationAndNoUpperBound) {

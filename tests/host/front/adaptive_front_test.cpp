@@ -78,6 +78,7 @@ TEST(AdaptiveFront, PitchesFlatFrontsWithThePitchFactorUnlessThePoleBecomesTooLo
   const AdaptiveFront too_gentle(mesh, std::vector<double>{1.0}, rules);
   for (const int vertex : full.local_minima(1)) {
     EXPECT_DOUBLE_EQ(gentle.pole_top_time(vertex, no_end), 0.65 * full.pole_top_time(vertex, no_end));
+    EXPECT_EQ(gentle.pole_top_time(vertex, no_end, Pitch::full), full.pole_top_time(vertex, no_end));
     EXPECT_EQ(too_gentle.pole_top_time(vertex, no_end), full.pole_top_time(vertex, no_end));
   }
 }
