@@ -27,7 +27,7 @@ inline void run_patch(const PatchSolverTask& task, int patch, int worker, const 
 template <int D>
 void run_on_host(const PatchSolverTask& task) {
   const int num_patches = task.batch.num_patches;
-#pragma omp parallel for schedule(monotonic : dynamic, 4) num_threads(task.shape.workers)
+#pragma omp parallel for schedule(monotonic : dynamic, 1) num_threads(task.shape.workers)
   for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
 }
 
@@ -36,7 +36,7 @@ template <int D>
 void run_on_cpu_device(const PatchSolverTask task, int device_number) {
   const int num_patches = task.batch.num_patches, workers = task.shape.workers;
 #pragma omp target teams num_teams(1) device(device_number) firstprivate(task)
-#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, 4)
+#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, 1)
   for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
 }
 
