@@ -2,40 +2,14 @@
 
 #include <cmath>
 
-#include "kernels/condensed_element.hpp"
-#include "kernels/fracture_link.hpp"
-#include "kernels/lanes.hpp"
-#include "kernels/patch_batch.hpp"
-#include "kernels/simd.hpp"
+#include "kernels/amplitude_system.hpp"
 
 namespace tentpole {
-
-/// The small system that couples the elements of one patch through their amplitudes,
-///     x_in = E (t + T x_in),     T = - lower right block of the condensed matrices,
-/// where E hands the outgoing amplitudes of a port to the port on the other side of the facet, or through a fracture
-/// facet (fracture_link.hpp). T is a contraction in energy and I - T has a condition below about 10
-/// (docs/formulation.md), so GMRES without restart reaches rounding in some ten to thirty products with the small
-/// blocks.
-struct AmplitudeSystem {
-  int num_elements;
-  int amplitudes_per_port;
-  int max_amplitudes;  ///< per element, D ports
-  const double* const*
-      response;                ///< [element]: lower right block transposed, -T^T, padded with zeros to multiples of 4
-  const int* response_stride;  ///< [element]
-  const int* num_amplitudes;   ///< [element]
-  const int* source;           ///< [element * max_ports + port]: first entry of the partner port, or none; none also on
-                               ///< fracture facets
-  int max_ports;
-  int num_fractures;
-  const FractureLink* fractures;  ///< [num_fractures]
-  int size() const { return num_elements * max_amplitudes; }
-};
 
 /// Scratch of the coupling solver.
 struct CouplingScratch {
   static constexpr int max_iterations = 80;
-  double* basis;       ///< [max_iterations + 1][size]
+  double* basis;       ///< [max_iterations + 1][num_unknowns]
   double* product;     ///< [size + 4]
   double* hessenberg;  ///< [max_iterations + 1][max_iterations]
   double* partial;     ///< [lanes]
@@ -71,75 +45,28 @@ inline double shared_dot(const double* left, const double* right, int n, double*
   }
 }
 
-/// to += scale E from: outgoing amplitudes reach the port of the neighbour that receives them, or pass a fracture
-/// facet.
+/// x_R = E_RR t_R + E_RI (t_I + T_I E_IR t_R), the right-hand side of the system for x_R. Changes x_I too.
 template <class Lanes>
-inline void add_exchanged(const AmplitudeSystem& system, const double* from, double* to, const Lanes& lanes) {
-  for (int link = lanes.first(); link < system.num_elements * system.max_ports; link += lanes.count()) {
-    const int source = system.source[link];
-    if (source == none) continue;
-    double* target = to + link * system.amplitudes_per_port;
-    for (int entry = 0; entry < system.amplitudes_per_port; ++entry) target[entry] += from[source + entry];
-  }
-  for (int f = 0; f < system.num_fractures; ++f) add_through_fracture(system.fractures[f], from, to, lanes);
+inline void fold_right_side(const AmplitudeSystem& system, const double* t, double* x, double* product,
+                            const Lanes& lanes) {
+  exchange_amplitudes(system, independent_places(system), t, x, lanes);
+  emit_amplitudes(system, independent_places(system), t, x, product, lanes);
+  for (int i = lanes.first(); i < system.num_unknowns(); i += lanes.count()) product[i] = t[i];
   lanes.synchronize();
+  exchange_amplitudes(system, unknown_places(system), product, x, lanes);
 }
 
-/// to = E from.
+/// to = (I - E_RR T_R - E_RI T_I E_IR T_R) from, on the unknowns. x takes what arrives in I; `product` has size() + 4
+/// entries.
 template <class Lanes>
-inline void exchange_amplitudes(const AmplitudeSystem& system, const double* from, double* to, const Lanes& lanes) {
-  for (int i = lanes.first(); i < system.size(); i += lanes.count()) to[i] = 0;
-  lanes.synchronize();
-  add_exchanged(system, from, to, lanes);
-}
-
-/// out[0 .. 4 vectors) = sum_j rows[j][0 .. 4 vectors) x[j].
-template <int vectors>
-inline void combine_rows(const double* rows, long stride, int num_rows, const double* x, double* out) {
-  Vector4 sum[vectors] = {};
-  for (int j = 0; j < num_rows; ++j)
-    for (int v = 0; v < vectors; ++v) sum[v] += x[j] * load4(rows + j * stride + 4 * v);
-  for (int v = 0; v < vectors; ++v) store4(out + 4 * v, sum[v]);
-}
-
-/// out = -T x of one element; out has room for the padding.
-template <class Lanes>
-inline void respond(const double* response, long stride, int num_amplitudes, const double* x, double* out,
-                    const Lanes& lanes) {
-  if constexpr (Lanes::cooperative) {
-    for (int row = lanes.first(); row < num_amplitudes; row += lanes.count()) {
-      double sum = 0;
-      for (int j = 0; j < num_amplitudes; ++j) sum += response[j * stride + row] * x[j];
-      out[row] = sum;
-    }
-  } else {
-    int first = 0;
-    for (; first + 24 <= num_amplitudes; first += 24)
-      combine_rows<6>(response + first, stride, num_amplitudes, x, out + first);
-    for (; first + 12 <= num_amplitudes; first += 12)
-      combine_rows<3>(response + first, stride, num_amplitudes, x, out + first);
-    for (; first < num_amplitudes; first += 4)
-      combine_rows<1>(response + first, stride, num_amplitudes, x, out + first);
-  }
-}
-
-/// product = -T x of all elements; it has size() + 4 entries.
-template <class Lanes>
-inline void respond_all(const AmplitudeSystem& system, const double* x, double* product, const Lanes& lanes) {
-  for (int element = 0; element < system.num_elements; ++element)
-    respond(system.response[element], system.response_stride[element], system.num_amplitudes[element],
-            x + element * system.max_amplitudes, product + element * system.max_amplitudes, lanes);
-  lanes.synchronize();
-}
-
-/// to = (I - E T) from. `product` has size() + 4 entries.
-template <class Lanes>
-inline void apply_coupling(const AmplitudeSystem& system, const double* from, double* product, double* to,
+inline void apply_coupling(const AmplitudeSystem& system, const double* from, double* x, double* product, double* to,
                            const Lanes& lanes) {
-  respond_all(system, from, product, lanes);
-  for (int i = lanes.first(); i < system.size(); i += lanes.count()) to[i] = from[i];
+  respond_at(system, unknown_places(system), from, product, lanes);
+  exchange_amplitudes(system, independent_places(system), product, x, lanes);
+  respond_at(system, independent_places(system), x, product, lanes);
+  exchange_amplitudes(system, unknown_places(system), product, to, lanes);
+  for (int i = lanes.first(); i < system.num_unknowns(); i += lanes.count()) to[i] = from[i] - to[i];
   lanes.synchronize();
-  add_exchanged(system, product, to, lanes);
 }
 
 /// Classical Gram-Schmidt, four basis vectors at a time: column[i] = basis_i . next, then next -= sum_i column[i]
@@ -184,15 +111,15 @@ inline void orthogonalize(const double* basis, int n, int count, double* next, d
   }
 }
 
-/// Solves for the incoming amplitudes x; on entry x holds exchange(t), the right-hand side. Returns the number of
-/// products, or -1 when the tolerance (relative residual 1e-14) was not reached in max_iterations. Source: Saad and
-/// Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856.
+/// Solves for x_R; on entry it holds the folded right-hand side. Returns the number of steps, or -1 when the tolerance
+/// (relative residual 1e-14) was not reached in max_iterations. Source: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7
+/// (1986) 856.
 template <class Lanes>
-inline int solve_coupling(const AmplitudeSystem& system, double* x, const CouplingScratch& scratch,
+inline int solve_unknowns(const AmplitudeSystem& system, double* x, const CouplingScratch& scratch,
                           const Lanes& lanes) {
   constexpr int limit = CouplingScratch::max_iterations;
   constexpr double tolerance = 1e-14;
-  const int n = system.size();
+  const int n = system.num_unknowns();
   const double norm = sqrt(shared_dot(x, x, n, scratch.partial, lanes));
   if (!(norm > 0)) return norm == 0 ? 0 : -1;
   double *hessenberg = scratch.hessenberg, *cosine = hessenberg + (limit + 1) * limit, *sine = cosine + limit,
@@ -205,7 +132,7 @@ inline int solve_coupling(const AmplitudeSystem& system, double* x, const Coupli
   while (count < limit && residual > tolerance * norm) {
     double* next = scratch.basis + static_cast<long>(count + 1) * n;
     double* column = hessenberg + count * (limit + 1);
-    apply_coupling(system, scratch.basis + static_cast<long>(count) * n, scratch.product, next, lanes);
+    apply_coupling(system, scratch.basis + static_cast<long>(count) * n, x, scratch.product, next, lanes);
     orthogonalize(scratch.basis, n, count + 1, next, column, scratch.partial, lanes);
     const double length = sqrt(shared_dot(next, next, n, scratch.partial, lanes));
     if (length > 0)
@@ -241,6 +168,19 @@ inline int solve_coupling(const AmplitudeSystem& system, double* x, const Coupli
   }
   lanes.synchronize();
   return residual <= tolerance * norm ? count : -1;
+}
+
+/// Solves for the incoming amplitudes x [size] when the elements emit t [size] without any. Returns the number of
+/// products with T, the folding of the right-hand side and the recovery of x_I being one together; or -1 as
+/// solve_unknowns. The product of the scratch keeps the waves t + T x that R emits.
+template <class Lanes>
+inline int solve_coupling(const AmplitudeSystem& system, const double* t, double* x, const CouplingScratch& scratch,
+                          const Lanes& lanes) {
+  fold_right_side(system, t, x, scratch.product, lanes);
+  const int steps = solve_unknowns(system, x, scratch, lanes);
+  emit_amplitudes(system, unknown_places(system), t, x, scratch.product, lanes);
+  exchange_amplitudes(system, independent_places(system), scratch.product, x, lanes);
+  return steps < 0 ? -1 : steps + 1;
 }
 
 }  // namespace tentpole

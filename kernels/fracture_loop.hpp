@@ -63,10 +63,9 @@ inline void integrate_line(const FractureFacet& facet, const FractureLaw& law, c
 /// The link of one fracture facet: offsets, impedances, measure. Side s is element facet.element[s].
 template <int D>
 inline void link_fracture(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                          int local) {
+                          const AmplitudeSystem& system, int local) {
   const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
   const FractureWorkspace<D> own = workspace.fracture(local);
-  const PatchShape shape = workspace.patch_shape();
   FractureLink& link = *own.link;
   link.num_components = D;
   link.num_modes = workspace.tables.num_facet_modes;
@@ -78,7 +77,7 @@ inline void link_fracture(const PatchBatch& batch, const PatchDescriptor& patch,
     for (int f = 0; f < op.num_vertical; ++f) {
       const VerticalFacet<D>& vertical = op.vertical[f];
       if (vertical.facet != facet.facet[side]) continue;
-      link.first[side] = (element * shape.max_ports + vertical.port) * shape.amplitudes_per_port;
+      link.first[side] = system.offset(element) + vertical.port * system.amplitudes_per_port;
       for (int c = 0; c < D; ++c) link.impedance[side][c] = vertical.impedance[c];
       if (side == 0) {
         link.measure = vertical.measure;
@@ -98,11 +97,11 @@ inline double pole_height(const PatchBatch& batch, const FractureFacet& facet) {
 /// Lays out all fracture facets of a patch with damage and contact of the old front, and builds their maps.
 template <int D, class Lanes>
 inline void prepare_fractures(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                              const Lanes& lanes) {
+                              const AmplitudeSystem& system, const Lanes& lanes) {
   const ReferenceTablesView& tables = workspace.tables;
   for (int local = lanes.first(); local < patch.num_fractures; local += lanes.count()) {
     const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
-    link_fracture<D>(batch, patch, workspace, local);
+    link_fracture<D>(batch, patch, workspace, system, local);
     lay_fracture_lines<D>(facet, batch.fracture_law, tables, pole_height<D>(batch, facet), workspace.fracture(local));
   }
   lanes.synchronize();
@@ -179,12 +178,9 @@ inline void accept_round(const PatchBatch& batch, const PatchDescriptor& patch, 
 template <int D, class Lanes>
 inline int solve_amplitudes(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
   const CouplingScratch scratch = CouplingScratch::at(workspace.coupling(), system.size());
-  exchange_amplitudes(system, workspace.outgoing(), workspace.incoming(), lanes);
-  const int iterations = solve_coupling(system, workspace.incoming(), scratch, lanes);
-  respond_all(system, workspace.incoming(), scratch.product, lanes);
-  for (int i = lanes.first(); i < system.size(); i += lanes.count())
-    scratch.product[i] = workspace.outgoing()[i] - scratch.product[i];
-  lanes.synchronize();
+  const double* outgoing = workspace.outgoing();
+  const int iterations = solve_coupling(system, outgoing, workspace.incoming(), scratch, lanes);
+  emit_amplitudes(system, independent_places(system), outgoing, workspace.incoming(), scratch.product, lanes);
   return iterations;
 }
 

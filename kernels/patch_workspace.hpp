@@ -73,9 +73,8 @@ struct PatchWorkspace {
   double* incoming() const { return outgoing() + padded(num_amplitudes()); }
   const double** responses() const { return reinterpret_cast<const double**>(incoming() + padded(num_amplitudes())); }
   int* integers() const { return reinterpret_cast<int*>(responses() + padded(patch.num_elements)); }
-  double* fractures() const {
-    return reinterpret_cast<double*>(integers()) + padded(2L * patch.num_elements + num_links());
-  }
+  long num_integers() const { return 3L * patch.num_elements + 2L * num_links() + 1; }
+  double* fractures() const { return reinterpret_cast<double*>(integers()) + doubles_of(sizeof(int) * num_integers()); }
   FractureLink* links() const { return reinterpret_cast<FractureLink*>(fractures()); }
   long links_size() const { return doubles_of(sizeof(FractureLink) * patch.num_fractures); }
   FractureWorkspace<D> fracture(int local) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/connect_elements.hpp"
 #include "kernels/cycle_counter.hpp"
 #include "kernels/eliminate.hpp"
 #include "kernels/fracture_record.hpp"
@@ -20,60 +21,6 @@ inline void transpose_response(const CondensedShape& shape, double* matrix, cons
       lower = upper;
       upper = keep;
     }
-}
-
-/// First outgoing amplitude of the port that a neighbour has on its side of a facet.
-template <int D>
-inline int partner_port(const PatchWorkspace<D>& workspace, int other, int facet) {
-  const PatchShape shape = workspace.patch_shape();
-  const ElementOperator<D>& op = *workspace.element(other).op;
-  int port = none;
-  for (int g = 0; g < op.num_vertical; ++g)
-    if (op.vertical[g].facet == facet) port = op.vertical[g].port;
-  for (int g = 0; g < op.num_inclined; ++g)
-    if (op.inclined[g].facet == facet) port = op.inclined[g].port;
-  return (other * shape.max_ports + port) * shape.amplitudes_per_port;
-}
-
-/// Which entry of the outgoing amplitudes feeds each port, and where each element's response block lies.
-template <int D, class Lanes>
-inline AmplitudeSystem amplitude_system(const PatchBatch& batch, const PatchDescriptor& patch,
-                                        const PatchWorkspace<D>& workspace, const Lanes& lanes) {
-  const PatchShape shape = workspace.patch_shape();
-  AmplitudeSystem system;
-  system.num_elements = patch.num_elements;
-  system.amplitudes_per_port = shape.amplitudes_per_port;
-  system.max_ports = shape.max_ports;
-  system.max_amplitudes = shape.max_ports * shape.amplitudes_per_port;
-  system.num_fractures = patch.num_fractures;
-  system.fractures = workspace.links();
-  const double** response = workspace.responses();
-  int* response_stride = workspace.integers();
-  int* num_amplitudes = response_stride + patch.num_elements;
-  int* source = num_amplitudes + patch.num_elements;
-  for (int e = lanes.first(); e < patch.num_elements; e += lanes.count()) {
-    const ElementDescriptor& element = batch.elements[patch.first_element + e];
-    const ElementWorkspace<D> own = workspace.element(e);
-    const CondensedShape condensed = workspace.shape(own);
-    response[e] =
-        own.matrix + static_cast<long>(condensed.unknowns_padded) * condensed.stride + condensed.unknowns_padded;
-    response_stride[e] = condensed.stride;
-    num_amplitudes[e] = condensed.num_amplitudes;
-    for (int port = 0; port < shape.max_ports; ++port) source[e * shape.max_ports + port] = none;
-    const auto connect = [&](int facet, int port) {
-      if (port == none || element.facet_kind[facet] == FacetKind::fracture) return;
-      source[e * shape.max_ports + port] =
-          partner_port<D>(workspace, element.neighbor[facet] - patch.first_element, element.neighbor_facet[facet]);
-    };
-    for (int f = 0; f < own.op->num_vertical; ++f) connect(own.op->vertical[f].facet, own.op->vertical[f].port);
-    for (int f = 0; f < own.op->num_inclined; ++f) connect(own.op->inclined[f].facet, own.op->inclined[f].port);
-  }
-  system.response = response;
-  system.response_stride = response_stride;
-  system.num_amplitudes = num_amplitudes;
-  system.source = source;
-  lanes.synchronize();
-  return system;
 }
 
 /// The rigid modes with which the neighbours across the inclined facets of an element take its displacement.
@@ -162,7 +109,7 @@ template <int D, class Lanes>
 inline void condense_all(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
   for (int e = 0; e < system.num_elements; ++e) {
     const ElementWorkspace<D> own = workspace.element(e);
-    condense_right_side<D>(own, workspace.shape(own), workspace.outgoing() + e * system.max_amplitudes, lanes);
+    condense_right_side<D>(own, workspace.shape(own), workspace.outgoing() + system.offset(e), lanes);
   }
 }
 
@@ -171,7 +118,7 @@ template <int D, class Lanes>
 inline void recover_all(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
   for (int e = 0; e < system.num_elements; ++e) {
     const ElementWorkspace<D> own = workspace.element(e);
-    recover_solution<D>(own, workspace.shape(own), workspace.incoming() + e * system.max_amplitudes, lanes);
+    recover_solution<D>(own, workspace.shape(own), workspace.incoming() + system.offset(e), lanes);
   }
 }
 
@@ -180,9 +127,8 @@ inline void recover_all(const PatchWorkspace<D>& workspace, const AmplitudeSyste
 template <int D, class Lanes>
 inline int solve_condensed(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
   condense_all<D>(workspace, system, lanes);
-  exchange_amplitudes(system, workspace.outgoing(), workspace.incoming(), lanes);
-  const int iterations =
-      solve_coupling(system, workspace.incoming(), CouplingScratch::at(workspace.coupling(), system.size()), lanes);
+  const CouplingScratch scratch = CouplingScratch::at(workspace.coupling(), system.size());
+  const int iterations = solve_coupling(system, workspace.outgoing(), workspace.incoming(), scratch, lanes);
   recover_all<D>(workspace, system, lanes);
   return iterations;
 }
@@ -192,7 +138,7 @@ template <int D, class Lanes>
 inline DamageLoop solve_condensed_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
                                             const PatchWorkspace<D>& workspace, const AmplitudeSystem& system,
                                             const Lanes& lanes) {
-  prepare_fractures<D>(batch, patch, workspace, lanes);
+  prepare_fractures<D>(batch, patch, workspace, system, lanes);
   condense_all<D>(workspace, system, lanes);
   const DamageLoop loop = solve_fractures<D>(batch, patch, workspace, system, lanes);
   recover_all<D>(workspace, system, lanes);
@@ -223,7 +169,7 @@ inline void emit_all(const PatchBatch& batch, const PatchDescriptor& patch, cons
     const ElementWorkspace<D> own = workspace.element(e);
     const Receivers<D> receivers = receivers_of<D>(patch, workspace, batch.elements[patch.first_element + e], *own.op);
     emitted_amplitudes<D>(*own.op, receivers.rigid, workspace.tables, workspace.shape(own), own.solution,
-                          workspace.residual_scratch(), workspace.outgoing() + e * system.max_amplitudes, lanes);
+                          workspace.residual_scratch(), workspace.outgoing() + system.offset(e), lanes);
   }
 }
 
@@ -234,14 +180,14 @@ inline double evaluate_patch(const PatchBatch& batch, const PatchDescriptor& pat
                              const AmplitudeSystem& system, const Lanes& lanes) {
   const ReferenceTablesView& tables = workspace.tables;
   emit_all<D>(batch, patch, workspace, system, lanes);
-  exchange_amplitudes(system, workspace.outgoing(), workspace.incoming(), lanes);
+  exchange_amplitudes(system, all_places(system), workspace.outgoing(), workspace.incoming(), lanes);
   double largest_residual = 0, largest_solution = 0;
   for (int e = 0; e < patch.num_elements; ++e) {
     const ElementDescriptor& element = batch.elements[patch.first_element + e];
     const ElementWorkspace<D> own = workspace.element(e);
     const CondensedShape shape = workspace.shape(own);
     const ElementBalance balance = element_residual<D>(
-        *own.op, tables, shape, own.solution, workspace.incoming() + e * system.max_amplitudes, own.inflow_data,
+        *own.op, tables, shape, own.solution, workspace.incoming() + system.offset(e), own.inflow_data,
         body_force_block(batch, element), batch.prescribed, workspace.residual_scratch(), own.right, lanes);
     const ScaledNorms norms = scaled_norms<D>(own, shape.num_unknowns);
     largest_residual = larger_or_nan(largest_residual, norms.residual);
@@ -290,7 +236,7 @@ inline void solve_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
     return;
   }
   const long long condensed = cycle_counter();
-  const AmplitudeSystem system = amplitude_system<D>(batch, patch, workspace, lanes);
+  const AmplitudeSystem system = connect_elements<D>(batch, patch, workspace, lanes);
   DamageLoop loop;
   if (patch.num_fractures == 0) loop.iterations = solve_condensed<D>(workspace, system, lanes);
   if constexpr (D < 3)
@@ -333,10 +279,10 @@ inline void check_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
     for (int unknown = lanes.first(); unknown < tables.num_unknowns; unknown += lanes.count())
       own.solution[unknown] = batch.coefficients[slot * tables.num_unknowns + unknown];
   }
-  const AmplitudeSystem system = amplitude_system<D>(batch, patch, workspace, lanes);
+  const AmplitudeSystem system = connect_elements<D>(batch, patch, workspace, lanes);
   if constexpr (D < 3)
     if (patch.num_fractures > 0) {
-      prepare_fractures<D>(batch, patch, workspace, lanes);
+      prepare_fractures<D>(batch, patch, workspace, system, lanes);
       emit_all<D>(batch, patch, workspace, system, lanes);
       integrate_fractures<D>(batch, patch, workspace, workspace.outgoing(), lanes);
       accept_round<D>(batch, patch, workspace, 0, false, lanes);
