@@ -77,8 +77,7 @@ inline void rigid_residual(const ElementOperator<D>& op, const ReferenceTablesVi
 
 /// residual = b + P x - A c of one element, matrix-free from the weak form, with its dissipation and boundary work.
 /// Without coefficients and incoming amplitudes (nullptr) it is the right-hand side b, to which facets inside the patch
-/// add nothing. inflow_data: one block per
-/// inflow facet of the operator. All lanes get the same balance.
+/// add nothing. inflow_data: one block per inflow facet of the operator. All lanes get the same balance.
 template <int D, class Lanes>
 inline ElementBalance element_residual(const ElementOperator<D>& op, const ReferenceTablesView& tables,
                                        const CondensedShape& shape, const double* coefficients, const double* incoming,

@@ -54,7 +54,7 @@ struct AdaptiveLimits {
 struct VertexMemory {
   float dissipation = std::numeric_limits<float>::infinity();  ///< largest of its last tent's elements / tolerance
   std::uint8_t keeps_shape = 0;  ///< its last deletion, flip or inclined tent was rejected: the next is a plain tent
-  std::uint8_t halvings = 0;     ///< of the next pole's height, after patches that failed
+  std::uint8_t halvings = 0;     ///< of the next pole's height, after patches that failed or stayed above tolerance
 };
 
 /// A cell whose refinement was refused and is tried again after later tents.
@@ -108,11 +108,23 @@ struct AdaptiveState {
   }
 };
 
+/// Whether a cell is larger than those at cracks whose damage grows should be.
+inline bool is_too_large_for_crack(const AdaptiveState& state, std::int32_t cell) {
+  return state.has_refinement() && longest_edge(state.front.mesh().simplex(cell)) > 1.0001 * state.limits.crack_size;
+}
+
 /// Whether damage grows, or is about to, on a crack edge at this vertex.
 inline bool touches_active_crack(const AdaptiveState& state, int vertex) {
   for (const std::int32_t edge : state.front.cracks().at(vertex))
     if (is_active(state.crack_state[edge], state.limits.law)) return true;
   return false;
+}
+
+/// Whether that is so at a vertex that shares a cell with this one.
+inline bool is_near_active_crack(const AdaptiveState& state, int vertex) {
+  for (const std::int32_t other : state.front.mesh().neighbors(vertex))
+    if (touches_active_crack(state, other)) return true;
+  return touches_active_crack(state, vertex);
 }
 
 }  // namespace tentpole

@@ -171,7 +171,7 @@ class RoundCommit {
     ++state_.counts.rejected;
     VertexMemory& memory = state_.memory[patch.plan.vertex];
     memory.dissipation = VertexMemory{}.dissipation;
-    memory.keeps_shape = !is_tent;
+    memory.keeps_shape = !is_tent || (memory.keeps_shape && !changed);
     if (shorten) ++memory.halvings;
     const PatchDescriptor& descriptor = round_.descriptor(patch);
     for (int e = 0; e < descriptor.num_elements; ++e)
@@ -206,8 +206,7 @@ class RoundCommit {
     if (!mesh().is_alive_vertex(patch.plan.vertex)) return;
     std::vector<FootprintCell> large;
     for (const CellCorner& entry : mesh().star(patch.plan.vertex)) {
-      const double size = longest_edge(mesh().simplex(entry.cell));
-      if (size <= 1.0001 * state_.limits.crack_size) continue;
+      if (!is_too_large_for_crack(state_, entry.cell)) continue;
       const auto vertices = mesh().vertices(entry.cell);
       if (std::ranges::any_of(vertices, [&](std::int32_t v) { return touches_active_crack(state_, v); }))
         large.push_back({entry.cell, mesh().cell(entry.cell).serial});

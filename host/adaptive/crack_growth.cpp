@@ -12,13 +12,11 @@ namespace {
 constexpr double edge_cosine = 0.94;  // 20 degrees
 /// Cuts keep this distance from the ends of an edge.
 constexpr double smallest_fraction = 0.3;
-/// Bisections after which a cell counts as too large to refine in one round.
-constexpr int max_bisections = 40;
 
 }  // namespace
 
 /// Where a ray from a vertex leaves the star: through which cell, its opposite edge and the place on it.
-struct CrackGrower::RayExit {
+struct RayExit {
   std::int32_t cell;
   std::int32_t first, second;
   double fraction;  ///< from first to second
@@ -27,7 +25,6 @@ struct CrackGrower::RayExit {
 namespace {
 
 /// The cell that a ray from a vertex enters, or nothing where it leaves the domain.
-template <typename RayExit>
 std::optional<RayExit> ray_exit(const FrontMesh& mesh, std::int32_t vertex, const Point& direction) {
   for (const CellCorner& entry : mesh.star(vertex)) {
     const auto vertices = mesh.vertices(entry.cell);
@@ -79,21 +76,6 @@ CrackGrower::Start CrackGrower::start(CrackGrowth growth) {
   return Start::begun;
 }
 
-/// Splits the cell ahead until it is small enough; nothing where the ray leaves the domain or a split was refused.
-std::optional<CrackGrower::RayExit> CrackGrower::small_cell_ahead(const CrackGrowth& growth, bool& is_refused) {
-  for (int depth = 0;; ++depth) {
-    const std::optional<RayExit> exit = ray_exit<RayExit>(mesh(), growth.vertex, growth.direction);
-    if (!exit || !state_.has_refinement() ||
-        longest_edge(mesh().simplex(exit->cell)) <= 1.0001 * state_.limits.crack_size)
-      return exit;
-    const std::int64_t serial = mesh().cell(exit->cell).serial;
-    refinement_.split({exit->cell, serial});
-    is_refused =
-        depth == max_bisections || (mesh().is_alive_cell(exit->cell) && mesh().cell(exit->cell).serial == serial);
-    if (is_refused) return std::nullopt;
-  }
-}
-
 /// A new vertex on the opposite edge; where that would leave pieces shorter than half the least size of cells, the end
 /// of the edge that is nearest to the direction. None where the cut was refused.
 std::int32_t CrackGrower::cut_or_nearest(const RayExit& exit, const CrackGrowth& growth) {
@@ -108,9 +90,13 @@ std::int32_t CrackGrower::cut_or_nearest(const RayExit& exit, const CrackGrowth&
 }
 
 CrackGrower::Outcome CrackGrower::add_edge(CrackGrowth& growth) {
-  bool is_refused = false;
-  const std::optional<RayExit> exit = small_cell_ahead(growth, is_refused);
-  if (!exit) return is_refused ? Outcome::refused : Outcome::ended;
+  std::optional<RayExit> exit;
+  const std::optional<std::int32_t> cell = refinement_.refine_for_crack([&] {
+    exit = ray_exit(mesh(), growth.vertex, growth.direction);
+    return exit ? exit->cell : none;
+  });
+  if (!cell) return Outcome::refused;
+  if (!exit) return Outcome::ended;
   std::int32_t end = none;
   double best = edge_cosine;
   for (const std::int32_t candidate : {exit->first, exit->second})

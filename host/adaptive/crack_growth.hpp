@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
-
 #include "host/adaptive/refinement.hpp"
 
 namespace tentpole {
+
+struct RayExit;
 
 /// Makes the next edges of a surface: each along an edge of the front that is seen in about the wanted direction, or to
 /// a cut of the edge that the ray crosses, in cells of at most limits.crack_size. Ends when no more than half of an
@@ -24,10 +24,8 @@ class CrackGrower {
 
  private:
   enum class Outcome { made, refused, ended };
-  struct RayExit;
 
   const FrontMesh& mesh() const { return state_.front.mesh(); }
-  std::optional<RayExit> small_cell_ahead(const CrackGrowth& growth, bool& is_refused);
   std::int32_t cut_or_nearest(const RayExit& exit, const CrackGrowth& growth);
   Outcome add_edge(CrackGrowth& growth);
 

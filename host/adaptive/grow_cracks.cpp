@@ -29,32 +29,26 @@ class TriggerFollower {
 
   /// Whether the trigger is done with.
   bool follow(const DefectTrigger& trigger) {
-    std::int32_t cell = locate(mesh(), trigger.position);
-    if (cell == none) return true;
-    if (state_.has_refinement()) cell = refine_place(trigger, cell);
-    if (cell == none) return false;
-    return mesh().dimension() == 1 ? nucleate_vertex(trigger, cell) : make_surface(trigger, cell);
+    const std::optional<std::int32_t> cell =
+        refinement_.refine_for_crack([&] { return locate(mesh(), trigger.position); });
+    if (!cell) return false;
+    if (*cell == none) return true;
+    return mesh().dimension() == 1 ? nucleate_vertex(trigger, *cell) : make_surface(trigger, *cell);
   }
 
+  /// A surface whose tip another one has reached meanwhile ends there.
   void finish_growths() {
     std::vector<CrackGrowth> unfinished;
     for (CrackGrowth& growth : state_.growths)
-      if (!grower_.grow(growth)) unfinished.push_back(growth);
+      if (is_tip(growth.vertex) && !grower_.grow(growth)) unfinished.push_back(growth);
     state_.growths = std::move(unfinished);
   }
 
  private:
   const FrontMesh& mesh() const { return state_.front.mesh(); }
 
-  /// The cell at the trigger once it is small enough, or none.
-  std::int32_t refine_place(const DefectTrigger& trigger, std::int32_t cell) {
-    for (int depth = 0; depth < 40 && longest_edge(mesh().simplex(cell)) > 1.0001 * state_.limits.crack_size; ++depth) {
-      const std::int64_t serial = mesh().cell(cell).serial;
-      refinement_.split({cell, serial});
-      if (mesh().is_alive_cell(cell) && mesh().cell(cell).serial == serial) return none;
-      cell = locate(mesh(), trigger.position);
-    }
-    return cell;
+  bool is_tip(std::int32_t vertex) const {
+    return state_.front.cracks().at(vertex).size() == 1 && !is_on_boundary(mesh(), vertex);
   }
 
   double distance_to(const DefectTrigger& trigger, std::int32_t vertex) const {
@@ -79,7 +73,8 @@ class TriggerFollower {
   }
 
   bool nucleate_vertex(const DefectTrigger& trigger, std::int32_t cell) {
-    const std::int32_t vertex = vertices_near(trigger, cell).front();
+    const std::int32_t vertex = *std::ranges::min_element(
+        mesh().vertices(cell), {}, [&](std::int32_t corner) { return distance_to(trigger, corner); });
     if (is_on_boundary(mesh(), vertex) || state_.front.crack_edge(vertex, vertex) != none) return true;
     state_.front.mark_crack(vertex, vertex);
     state_.follow_front();
@@ -94,8 +89,7 @@ class TriggerFollower {
   bool make_surface(const DefectTrigger& trigger, std::int32_t cell) {
     const std::vector<std::int32_t> near = vertices_near(trigger, cell);
     const auto num_edges = [&](std::int32_t vertex) { return state_.front.cracks().at(vertex).size(); };
-    const auto tip = std::ranges::find_if(
-        near, [&](std::int32_t vertex) { return num_edges(vertex) == 1 && !is_on_boundary(mesh(), vertex); });
+    const auto tip = std::ranges::find_if(near, [&](std::int32_t vertex) { return is_tip(vertex); });
     if (tip != near.end()) return extend(trigger, *tip);
     const auto body = std::ranges::find_if(near, [&](std::int32_t vertex) { return num_edges(vertex) > 0; });
     if (body != near.end()) return branch(trigger, *body);
@@ -130,7 +124,6 @@ class TriggerFollower {
   /// Leaves the middle of a crack where the direction differs enough from all edges there. A surface nearly along the
   /// crack needs none of its own.
   bool branch(const DefectTrigger& trigger, std::int32_t vertex) {
-    if (is_growing(vertex)) return false;
     const auto edges = state_.front.cracks().at(vertex);
     if (edges.size() > 2) return true;
     Point best{};
@@ -154,12 +147,16 @@ class TriggerFollower {
 
   bool nucleate(const DefectTrigger& trigger, std::int32_t vertex) {
     const Point way = along(trigger, 0);
-    const CrackGrower::Start first = grower_.start({vertex, way, state_.limits.growth_length});
-    if (first == CrackGrower::Start::must_wait) return false;
-    CrackGrowth second{vertex, opposite(way), state_.limits.growth_length};
-    if (!grower_.grow(second)) state_.growths.push_back(second);
-    if (!state_.front.cracks().at(vertex).empty()) count_nucleation(trigger, vertex);
-    return true;
+    const double length = state_.limits.growth_length;
+    CrackGrower::Start arm = grower_.start({vertex, way, length});
+    if (arm == CrackGrower::Start::begun) {
+      CrackGrowth other{vertex, opposite(way), length};
+      if (!grower_.grow(other)) state_.growths.push_back(other);
+    } else if (arm == CrackGrower::Start::impossible) {
+      arm = grower_.start({vertex, opposite(way), length});
+    }
+    if (arm == CrackGrower::Start::begun) count_nucleation(trigger, vertex);
+    return arm != CrackGrower::Start::must_wait;
   }
 
   AdaptiveState& state_;

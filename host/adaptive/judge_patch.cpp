@@ -55,8 +55,7 @@ void judge_damage(const AdaptiveState& state, const PatchPlan& plan, const HostB
   }
   if (!state.has_refinement() || !(change > coarse_damage_step * limit)) return;
   for (const FootprintCell& cell : plan.footprint)
-    if (longest_edge(state.front.mesh().simplex(cell.cell)) > 1.0001 * state.limits.crack_size)
-      verdict.refine.push_back(cell);
+    if (is_too_large_for_crack(state, cell.cell)) verdict.refine.push_back(cell);
   if (!verdict.refine.empty()) verdict.is_accepted = false;
 }
 

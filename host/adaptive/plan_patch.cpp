@@ -9,7 +9,7 @@ namespace {
 /// Cells with a smaller angle are worth a flip or an inclined pole.
 constexpr double poor_angle_sine = 0.5;  // 30 degrees
 
-/// Where a patch had less than this part of the tolerance nothing is refined next, so poles need not be gentle.
+/// Where a patch had less than this part of the tolerance its cells are not refined next, so poles need not be gentle.
 constexpr double still_dissipation = 1e-3;
 
 /// Part of the tolerated height that a pole keeps after its patch failed.
@@ -32,9 +32,7 @@ double smallest_angle_sine_of_star(const FrontMesh& mesh, std::int32_t vertex) {
 
 /// Longest edge that coarsening may make round a vertex: near cracks cells stay small.
 double coarse_limit(const AdaptiveState& state, std::int32_t vertex) {
-  for (const std::int32_t other : state.front.mesh().neighbors(vertex))
-    if (touches_active_crack(state, other)) return state.limits.crack_size;
-  return state.limits.max_size;
+  return is_near_active_crack(state, vertex) ? state.limits.crack_size : state.limits.max_size;
 }
 
 std::optional<FlipPlan> best_flip(const AdaptiveFront& front, std::int32_t vertex) {
@@ -48,10 +46,11 @@ std::optional<FlipPlan> best_flip(const AdaptiveFront& front, std::int32_t verte
 
 double tent_top(const AdaptiveState& state, std::int32_t vertex) {
   const double bottom = state.front.time(vertex);
-  const Pitch pitch = state.memory[vertex].dissipation < still_dissipation ? Pitch::full : Pitch::gentle;
-  double top = state.front.pole_top_time(vertex, state.books.simulation.scaled_end_time(), pitch);
-  if (state.memory[vertex].halvings > 0) top = shortened(bottom, top, state.memory[vertex].halvings);
+  const bool is_still = state.memory[vertex].dissipation < still_dissipation && !is_near_active_crack(state, vertex);
+  double top = state.front.pole_top_time(vertex, state.books.simulation.scaled_end_time(),
+                                         is_still ? Pitch::full : Pitch::gentle);
   if (touches_active_crack(state, vertex)) top = std::min(top, bottom + state.limits.max_pole_height);
+  if (state.memory[vertex].halvings > 0) top = shortened(bottom, top, state.memory[vertex].halvings);
   return top;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,20 @@ class Refinement {
   /// Newest-vertex bisection with closure; false where the wanted split was refused. A cell that is gone counts as
   /// done.
   bool split(const FootprintCell& cell);
+
+  /// Splits the cell that find() names until its longest edge is at most limits.crack_size, asking anew after each
+  /// split. The cell, or none where find() names none; nothing where a split was refused.
+  template <class Find>
+  std::optional<std::int32_t> refine_for_crack(Find find) {
+    const FrontMesh& mesh = state_.front.mesh();
+    while (true) {
+      const std::int32_t cell = find();
+      if (cell == none || !is_too_large_for_crack(state_, cell)) return cell;
+      const std::int64_t serial = mesh.cell(cell).serial;
+      split({cell, serial});
+      if (mesh.is_alive_cell(cell) && mesh.cell(cell).serial == serial) return std::nullopt;
+    }
+  }
 
   /// Cuts the edge (D = 1: the cell) between a and b; the new vertex, or none where it was refused.
   std::int32_t split_edge(std::int32_t a, std::int32_t b, double fraction);

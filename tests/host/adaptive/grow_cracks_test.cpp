@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/host/adaptive/march_books.hpp"
-#include "tests/host/solver/case_text.hpp"
-#include "tests/host/solver/solved_run.hpp"
+#include "tests/host/adaptive/resting_front.hpp"
 
 // What triggers make of a front at rest, whatever its cells.
 namespace tentpole {
@@ -17,88 +15,61 @@ namespace {
 constexpr double growth_length = 0.1;
 constexpr Point up{0, 1, 0}, right{1, 0, 0};
 
-Simulation box(int intervals, bool structured) {
-  testing::CaseText text;
-  text.dimension = 2;
-  text.cells = {intervals, intervals};
-  text.structured = structured;
-  for (const char* side : {"left", "right", "bottom", "top"})
-    text.rest += std::string("[boundary.") + side + "]\nabsorbing = true\n";
-  text.rest +=
-      "[adaptivity]\nenabled = true\nerror_tolerance = 1e-3\nmin_size = 1e-3\nmax_size = 1\n"
-      "[fracture]\nenabled = true\nthreshold = 1\nstrength = 2\nrelaxation_time = 1\n";
-  return testing::simulation_of(text.text());
-}
-
 /// A front of the unit square at rest, in metres, whose cells at cracks have edges of at most `crack_size`.
 class CrackedFront {
  public:
-  CrackedFront(double crack_size, int intervals = 4, bool structured = false)
-      : simulation_(box(intervals, structured)),
-        books_(simulation_),
-        state_{
-            .books = books_.get(),
-            .front = AdaptiveFront(simulation_.mesh, std::vector{simulation_.scaled_materials[0].dilatational_speed()}),
-            .sources = {},
-            .crack_state = {},
-            .crack_mode = {},
-            .memory = {},
-            .pending = {},
-            .triggers = {},
-            .growths = {},
-            .spent = {},
-            .first_nucleation = {},
-            .counts = {},
-            .edges = {},
-            .limits = {}} {
-    state_.limits.crack_size = crack_size / unit();
-    state_.limits.growth_length = growth_length / unit();
-    state_.follow_front();
-    std::ranges::fill(state_.sources.slot, none);
-  }
+  explicit CrackedFront(double crack_size) : front_(4, crack_size, growth_length) {}
 
   /// A defect gives way at a place [m]; the surface is to have this normal.
   void trigger(Point position, const Point& normal) {
-    for (double& coordinate : position) coordinate /= unit();
-    state_.triggers.push_back({position, {{{normal[0], normal[1]}, {}}}, 1, {}});
-    Refinement refinement(state_);
-    grow_cracks(state_, refinement);
+    for (double& coordinate : position) coordinate /= front_.unit();
+    state().triggers.push_back({position, {{{normal[0], normal[1]}, {}}}, 1, {}});
+    follow();
+  }
+
+  /// Goes on with what waits.
+  void follow() {
+    Refinement refinement(state());
+    grow_cracks(state(), refinement);
     refinement.flush();
-    state_.front.check();
+    state().front.check();
+  }
+
+  /// Raises all local minima. With the full pitch the front becomes steep.
+  void raise(Pitch pitch) {
+    for (const std::int32_t vertex : state().front.local_minima(no_end))
+      state().front.raise(vertex, state().front.pole_top_time(vertex, no_end, pitch));
   }
 
   /// Length of all surfaces [m].
   double surface_length() const {
     double length = 0;
     for (int edge = 0; edge < cracks().size(); ++edge)
-      if (!cracks().is_retired(edge)) length += distance(place(cracks().edge(edge)[0]), place(cracks().edge(edge)[1]));
+      if (!cracks().is_retired(edge))
+        length += distance(front_.place(cracks().edge(edge)[0]), front_.place(cracks().edge(edge)[1]));
     return length;
   }
 
   /// Vertices where exactly n edges of cracks end.
   std::vector<Point> vertices_with_edges(std::size_t n) const {
     std::vector<Point> places;
-    for (int vertex = 0; vertex < state_.front.mesh().num_vertex_slots(); ++vertex)
-      if (state_.front.mesh().is_alive_vertex(vertex) && cracks().at(vertex).size() == n)
-        places.push_back(place(vertex));
+    const FrontMesh& mesh = front_.state.front.mesh();
+    for (int vertex = 0; vertex < mesh.num_vertex_slots(); ++vertex)
+      if (mesh.is_alive_vertex(vertex) && cracks().at(vertex).size() == n) places.push_back(front_.place(vertex));
     return places;
   }
 
-  const AdaptiveCounts& counts() const { return state_.counts; }
-  bool is_done() const { return state_.triggers.empty() && state_.growths.empty(); }
+  const AdaptiveCounts& counts() const { return front_.state.counts; }
+  bool is_done() const { return front_.state.triggers.empty() && front_.state.growths.empty(); }
+  std::size_t num_growths() const { return front_.state.growths.size(); }
 
  private:
-  double unit() const { return simulation_.scaling.length; }
-  const CrackEdges& cracks() const { return state_.front.cracks(); }
-  Point place(std::int32_t vertex) const {
-    Point position = state_.front.mesh().position(vertex);
-    for (double& coordinate : position) coordinate *= unit();
-    return position;
-  }
+  static constexpr double no_end = 1e9;
 
-  Simulation simulation_;
-  testing::MarchBooks books_;
-  AdaptiveState state_;
+  AdaptiveState& state() { return front_.state; }
+  const CrackEdges& cracks() const { return front_.state.front.cracks(); }
+
+  testing::RestingFront front_;
 };
 
 /// Tips of a crack along x: the left and the right one.
@@ -195,6 +166,37 @@ TEST(Coalescence, EndsASurfaceAtAnotherCrack) {
   EXPECT_EQ(front.counts().extensions, 1);
   EXPECT_EQ(front.counts().coalescences, 1);
   EXPECT_LT(front.surface_length() - before, 3 * growth_length - 0.03) << "it does not go on beyond the first";
+}
+
+TEST(Nucleation, AtTheBoundaryHasOneArm) {
+  for (const double sign : {1.0, -1.0}) {
+    CrackedFront front(0.25 * growth_length);
+    front.trigger({0.5, 0.001, 0}, {sign, 0, 0});
+    EXPECT_TRUE(front.is_done());
+    EXPECT_EQ(front.counts().nucleations, 1);
+    EXPECT_NEAR(front.surface_length(), growth_length, 0.25 * growth_length);
+  }
+}
+
+/// On a steep front splits are refused: triggers wait, or what is missing of their surfaces does, and nothing is lost.
+TEST(Triggers, WaitForAdmissibleSplits) {
+  int waited = 0, begun = 0;
+  for (int rounds = 1; rounds <= 60; ++rounds) {
+    CrackedFront front(0.25 * growth_length);
+    for (int round = 0; round < rounds; ++round) front.raise(Pitch::full);
+    front.trigger({0.3 + 0.007 * rounds, 0.48, 0}, up);
+    waited += !front.is_done();
+    for (int round = 0; round < 500 && !front.is_done(); ++round) {
+      begun += front.num_growths() > 0;
+      front.raise(Pitch::gentle);
+      front.follow();
+    }
+    ASSERT_TRUE(front.is_done());
+    EXPECT_EQ(front.counts().nucleations, 1);
+    EXPECT_NEAR(front.surface_length(), 2 * growth_length, 1.5 * 0.25 * growth_length);
+  }
+  EXPECT_GT(waited, 0);
+  EXPECT_GT(begun, 0);
 }
 
 TEST(Triggers, OutsideTheDomainAreDropped) {
