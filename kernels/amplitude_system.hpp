@@ -14,9 +14,9 @@ namespace tentpole {
 /// that no element of the last places, the set I, feeds itself or another of I, E_II = 0; R are the others. So
 ///     x_I = E_IR (t_R + T_R x_R),     x_R = E_RR (t_R + T_R x_R) + E_RI (t_I + T_I x_I),
 /// and x_R alone, the start of every vector, is unknown. T is a contraction in energy and I - E T has a condition below
-/// about 10 (docs/formulation.md). The map for x_R is a contraction, too, and the inverse of its system is a block of the
-/// inverse of I - E T. Where R has no neighbours in R either a wave runs through two elements in one product:
-/// GMRES without restart reaches rounding in some two to twenty products with the small blocks.
+/// about 10 (docs/formulation.md). The map for x_R is a contraction, too, and the inverse of its system is a block of
+/// the inverse of I - E T. Where R has no neighbours in R either a wave runs through two elements in one product: GMRES
+/// without restart reaches rounding in some two to twenty products with the small blocks.
 struct AmplitudeSystem {
   int num_elements;
   int num_unknown_elements;  ///< in R

@@ -8,6 +8,7 @@
 #include <omp.h>
 
 #include "kernels/solve_patch.hpp"
+#include "kernels/with_dimension.hpp"
 
 namespace tentpole {
 namespace {
@@ -61,14 +62,9 @@ void run_on_gpu(const PatchSolverTask task, int device_number) {
 
 long patch_scratch_size(const ReferenceTablesView& tables, const PatchDescriptor& patch, int lanes) {
   double start = 0;
-  switch (tables.dimension) {
-    case 1:
-      return PatchWorkspace<1>{tables, patch, lanes, &start}.size();
-    case 2:
-      return PatchWorkspace<2>{tables, patch, lanes, &start}.size();
-    default:
-      return PatchWorkspace<3>{tables, patch, lanes, &start}.size();
-  }
+  return with_dimension(tables.dimension, [&](auto dimension) {
+    return PatchWorkspace<dimension()>{tables, patch, lanes, &start}.size();
+  });
 }
 
 long patch_scratch_size(const ReferenceTablesView& tables, std::span<const PatchDescriptor> patches, int lanes) {
@@ -78,27 +74,17 @@ long patch_scratch_size(const ReferenceTablesView& tables, std::span<const Patch
 }
 
 void solve_patches_host(const PatchSolverTask& task) {
-  switch (task.tables.dimension) {
-    case 1:
-      return run_on_host<1>(task);
-    case 2:
-      return run_on_host<2>(task);
-    default:
-      return run_on_host<3>(task);
-  }
+  with_dimension(task.tables.dimension, [&](auto dimension) { run_on_host<dimension()>(task); });
 }
 
 void solve_patches_device([[maybe_unused]] const PatchSolverTask& task, [[maybe_unused]] int device_number) {
 #ifdef TENTPOLE_OFFLOAD
-  const bool cpu = task.shape.lanes == 1;
-  switch (task.tables.dimension) {
-    case 1:
-      return cpu ? run_on_cpu_device<1>(task, device_number) : run_on_gpu<1>(task, device_number);
-    case 2:
-      return cpu ? run_on_cpu_device<2>(task, device_number) : run_on_gpu<2>(task, device_number);
-    default:
-      return cpu ? run_on_cpu_device<3>(task, device_number) : run_on_gpu<3>(task, device_number);
-  }
+  with_dimension(task.tables.dimension, [&](auto dimension) {
+    if (task.shape.lanes == 1)
+      run_on_cpu_device<dimension()>(task, device_number);
+    else
+      run_on_gpu<dimension()>(task, device_number);
+  });
 #else
   std::fputs("solve_patches_device: this build has no device code (preset host)\n", stderr);
   std::abort();
@@ -108,17 +94,10 @@ void solve_patches_device([[maybe_unused]] const PatchSolverTask& task, [[maybe_
 void evaluate_patches_host(const PatchBatch& batch, const ReferenceTablesView& tables) {
   const std::span<const PatchDescriptor> patches(batch.patches, batch.num_patches);
   std::vector<double> scratch(patch_scratch_size(tables, patches, 1));
-  for (int patch = 0; patch < batch.num_patches; ++patch) switch (tables.dimension) {
-      case 1:
-        check_patch<1>(batch, tables, patch, scratch.data(), SerialLane{});
-        break;
-      case 2:
-        check_patch<2>(batch, tables, patch, scratch.data(), SerialLane{});
-        break;
-      default:
-        check_patch<3>(batch, tables, patch, scratch.data(), SerialLane{});
-        break;
-    }
+  with_dimension(tables.dimension, [&](auto dimension) {
+    for (int patch = 0; patch < batch.num_patches; ++patch)
+      check_patch<dimension()>(batch, tables, patch, scratch.data(), SerialLane{});
+  });
 }
 
 double flops_per_element(const ReferenceTablesView& tables, int num_ports, int iterations) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "kernels/slice_integral.hpp"
+#include "kernels/with_dimension.hpp"
 
 namespace tentpole {
 namespace {
@@ -59,27 +60,17 @@ void run_on_gpu(const SliceEnergyTask task, int device_number) {
 }  // namespace
 
 void slice_energies_host(const SliceEnergyTask& task) {
-  switch (task.tables.dimension) {
-    case 1:
-      return run_on_host<1>(task);
-    case 2:
-      return run_on_host<2>(task);
-    default:
-      return run_on_host<3>(task);
-  }
+  with_dimension(task.tables.dimension, [&](auto dimension) { run_on_host<dimension()>(task); });
 }
 
 void slice_energies_device([[maybe_unused]] const SliceEnergyTask& task, [[maybe_unused]] int device_number) {
 #ifdef TENTPOLE_OFFLOAD
-  const bool cpu = task.shape.lanes == 1;
-  switch (task.tables.dimension) {
-    case 1:
-      return cpu ? run_on_cpu_device<1>(task, device_number) : run_on_gpu<1>(task, device_number);
-    case 2:
-      return cpu ? run_on_cpu_device<2>(task, device_number) : run_on_gpu<2>(task, device_number);
-    default:
-      return cpu ? run_on_cpu_device<3>(task, device_number) : run_on_gpu<3>(task, device_number);
-  }
+  with_dimension(task.tables.dimension, [&](auto dimension) {
+    if (task.shape.lanes == 1)
+      run_on_cpu_device<dimension()>(task, device_number);
+    else
+      run_on_gpu<dimension()>(task, device_number);
+  });
 #else
   std::fputs("slice_energies_device: this build has no device code (preset host)\n", stderr);
   std::abort();

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "kernels/transplant_element.hpp"
+#include "kernels/with_dimension.hpp"
 
 namespace tentpole {
 namespace {
@@ -56,27 +57,17 @@ TransplantRequest cell_part_request(int dimension, int source_facet, const CellP
 }
 
 void transplant_host(const TransplantTask& task) {
-  switch (task.tables.dimension) {
-    case 1:
-      return run_on_host<1>(task);
-    case 2:
-      return run_on_host<2>(task);
-    default:
-      return run_on_host<3>(task);
-  }
+  with_dimension(task.tables.dimension, [&](auto dimension) { run_on_host<dimension()>(task); });
 }
 
 void transplant_device([[maybe_unused]] const TransplantTask& task, [[maybe_unused]] int device_number) {
 #ifdef TENTPOLE_OFFLOAD
-  const bool cpu = task.shape.lanes == 1;
-  switch (task.tables.dimension) {
-    case 1:
-      return cpu ? run_on_cpu_device<1>(task, device_number) : run_on_gpu<1>(task, device_number);
-    case 2:
-      return cpu ? run_on_cpu_device<2>(task, device_number) : run_on_gpu<2>(task, device_number);
-    default:
-      return cpu ? run_on_cpu_device<3>(task, device_number) : run_on_gpu<3>(task, device_number);
-  }
+  with_dimension(task.tables.dimension, [&](auto dimension) {
+    if (task.shape.lanes == 1)
+      run_on_cpu_device<dimension()>(task, device_number);
+    else
+      run_on_gpu<dimension()>(task, device_number);
+  });
 #else
   std::fputs("transplant_device: this build has no device code (preset host)\n", stderr);
   std::abort();

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "bench/assembly/with_dimension.hpp"
 #include "kernels/point_state.reference.hpp"
 #include "kernels/post_processing.hpp"
 #include "kernels/simd.hpp"
+#include "kernels/with_dimension.hpp"
 
 namespace tentpole {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "bench/assembly/checked_operator.hpp"
 #include "bench/assembly/own_rungs.hpp"
-#include "bench/assembly/with_dimension.hpp"
 #include "kernels/element_matrix.hpp"
+#include "kernels/with_dimension.hpp"
 
 namespace tentpole {
 namespace {

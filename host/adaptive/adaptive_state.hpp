@@ -67,19 +67,19 @@ struct PendingSplit {
 struct AdaptiveState {
   RunBooks& books;
   AdaptiveFront front;
-  CellSources sources;                      ///< [cell slot of the front]
-  std::vector<CrackEdgeState> crack_state;  ///< [crack edge], gap scaled
-  std::vector<CrackMode> crack_mode;        ///< [crack edge]
-  std::vector<VertexMemory> memory;         ///< [vertex slot]
-  std::vector<PendingSplit> pending;
-  std::vector<DefectTrigger> triggers;  ///< defects that have given way and wait for their crack
-  std::vector<CrackGrowth> growths;     ///< surfaces that wait for their next edge
-  std::set<DefectId> spent;             ///< defects of the field that made a crack or wait for one
-  FirstNucleation first_nucleation;
+  CellSources sources{};                      ///< [cell slot of the front]
+  std::vector<CrackEdgeState> crack_state{};  ///< [crack edge], gap scaled
+  std::vector<CrackMode> crack_mode{};        ///< [crack edge]
+  std::vector<VertexMemory> memory{};         ///< [vertex slot]
+  std::vector<PendingSplit> pending{};
+  std::vector<DefectTrigger> triggers{};  ///< defects that have given way and wait for their crack
+  std::vector<CrackGrowth> growths{};     ///< surfaces that wait for their next edge
+  std::set<DefectId> spent{};             ///< defects of the field that made a crack or wait for one
+  FirstNucleation first_nucleation{};
   std::int64_t num_tested = 0;  ///< cells tested by the sampled model
-  AdaptiveCounts counts;
-  EdgeRange edges;
-  AdaptiveLimits limits;
+  AdaptiveCounts counts{};
+  EdgeRange edges{};
+  AdaptiveLimits limits{};
 
   int num_points() const { return front.mesh().dimension() == 1 ? 1 : books.simulation.degree() + 1; }
   bool has_refinement() const { return books.simulation.settings.adaptivity.enabled; }

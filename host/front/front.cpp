@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/front/front_slope.hpp"
+#include "host/front/vertex_order.hpp"
 #include "host/mesh/printed_number.hpp"
 
 namespace tentpole {
@@ -17,21 +18,6 @@ namespace {
 
 /// Rounding of the times may make a front steeper than the limit by a little; more than this is a fault.
 constexpr double steepness_tolerance = 1e-9;
-
-/// A permutation of the 32-bit numbers (finalizer of MurmurHash3). Where times are equal, as on a flat front, it
-/// decides: by the ids themselves only the first vertex of a mesh numbered row by row would be a local minimum, and
-/// tents would spread from there one by one (measured on 800 x 800 boxes: 5000 batches instead of 200).
-std::uint32_t scrambled(int vertex) {
-  auto key = static_cast<std::uint32_t>(vertex);
-  key = (key ^ (key >> 16)) * 0x85ebca6bu;
-  key = (key ^ (key >> 13)) * 0xc2b2ae35u;
-  return key ^ (key >> 16);
-}
-
-/// Whether vertex a at its time comes before vertex b at its: the total order that makes local minima independent.
-bool precedes(double time_a, int a, double time_b, int b) {
-  return time_a < time_b || (time_a == time_b && scrambled(a) < scrambled(b));
-}
 
 }  // namespace
 
@@ -51,7 +37,7 @@ void Front::find_all_minima() {
   for (int vertex = 0; vertex < num_vertices(); ++vertex) {
     num_earlier_neighbors_[vertex] = 0;
     for (const std::int32_t other : neighbors(vertex))
-      if (precedes(times_[other], other, times_[vertex], vertex)) ++num_earlier_neighbors_[vertex];
+      if (vertex_precedes(times_[other], other, times_[vertex], vertex)) ++num_earlier_neighbors_[vertex];
     if (is_local_minimum(vertex)) queue_.push_back(vertex);
   }
 }
@@ -97,8 +83,8 @@ void Front::raise(int vertex, double new_time) {
   minimum_.change(vertex, new_time);
   assert(steepness(vertex) <= 1 + steepness_tolerance && "the front stays causal");
   for (const std::int32_t other : neighbors(vertex)) {
-    const bool was_before = precedes(old_time, vertex, times_[other], other);
-    const bool is_before = precedes(new_time, vertex, times_[other], other);
+    const bool was_before = vertex_precedes(old_time, vertex, times_[other], other);
+    const bool is_before = vertex_precedes(new_time, vertex, times_[other], other);
     if (was_before == is_before) continue;
     ++num_earlier_neighbors_[vertex];
     if (--num_earlier_neighbors_[other] == 0) queue_.push_back(other);

@@ -24,19 +24,7 @@ RestingFront::RestingFront(int intervals, double crack_size, double growth_lengt
     : simulation(unit_square(intervals)),
       books(simulation),
       state{.books = books.get(),
-            .front = AdaptiveFront(simulation.mesh, std::vector{simulation.scaled_materials[0].dilatational_speed()}),
-            .sources = {},
-            .crack_state = {},
-            .crack_mode = {},
-            .memory = {},
-            .pending = {},
-            .triggers = {},
-            .growths = {},
-            .spent = {},
-            .first_nucleation = {},
-            .counts = {},
-            .edges = {},
-            .limits = {}} {
+            .front = AdaptiveFront(simulation.mesh, std::vector{simulation.scaled_materials[0].dilatational_speed()})} {
   state.limits.crack_size = crack_size / unit();
   state.limits.growth_length = growth_length / unit();
   state.limits.max_size = 1 / unit();
