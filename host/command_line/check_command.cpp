@@ -58,8 +58,8 @@ std::string boundaries_text(const Simulation& simulation) {
   return "boundaries\n" + text_table(rows, "ll");
 }
 
-/// What a run on the host allocates for the solution: one element per front cell and the batch being solved, and the
-/// scratch of each thread.
+/// What a run on the host solves, and what it allocates for that: one element per front cell and the batch being
+/// solved, and the scratch of each thread.
 std::string work_text(const Simulation& simulation, int num_threads) {
   constexpr std::int64_t most_patches = 500'000;  // about a second
   const TentEstimate tents = estimate_tents(simulation, most_patches);
@@ -70,7 +70,8 @@ std::string work_text(const Simulation& simulation, int num_threads) {
       static_cast<double>(patch_scratch_size(tables.view(), PatchDescriptor{0, tents.largest_patch}, 1)) * num_threads *
       sizeof(double);
   const std::string about = tents.is_exact ? "" : "about ";
-  return "work\n" +
+  const bool keeps_mesh = !simulation.settings.adaptivity.enabled && !simulation.settings.fracture.enabled;
+  return (keeps_mesh ? "work\n" : "work of the initial mesh, if it stayed as it is\n") +
          text_table({{"patches", about + count_text(tents.patches) + ", at most " +
                                      std::to_string(tents.largest_patch) + " elements each"},
                      {"elements", about + count_text(tents.elements)},

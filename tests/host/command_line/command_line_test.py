@@ -123,6 +123,12 @@ class Check(ProgramTest):
         self.assertRegex(out, r"top +normal velocity, tangential traction, zero\n")
         self.assertEqual(self.tree(), before)
 
+    def test_work_of_a_mesh_that_changes_is_called_that_of_the_first(self):
+        changing, _ = self.tentpole("check", SOURCE / "examples/spall_bar.toml")
+        self.assertIn("work of the initial mesh, if it stayed as it is\n", changing)
+        fixed, _ = self.tentpole("check", SOURCE / "examples/thesis_bar.toml")
+        self.assertIn("\nwork\n", fixed)
+
     def test_broken_case_is_refused(self):
         self.assertIn("time.end", self.refused("check", "wave.toml", "--set", "time.end=0"))
 
