@@ -23,6 +23,14 @@ class PoleHeight : public ::testing::Test {
     const double end = front_.simulation.scaled_end_time();
     return front_.state.front.pole_top_time(vertex_, end, pitch) - front_.state.front.time(vertex_);
   }
+  /// Puts an edge of a crack at the vertex, whose last patch was still; nothing is deleted.
+  void crack_still_vertex() {
+    front_.state.limits.max_size = 0;
+    memory().dissipation = 0;
+    front_.state.front.mark_crack(vertex_, front_.state.front.mesh().neighbors(vertex_).front());
+    front_.state.follow_front();
+  }
+
   VertexMemory& memory() { return front_.state.memory[vertex_]; }
 
   testing::RestingFront front_;
@@ -44,11 +52,7 @@ TEST_F(PoleHeight, IsFullWhereThePatchBeforeWasStill) {
 }
 
 TEST_F(PoleHeight, IsGentleAndCappedAtACrackWhoseDamageGrows) {
-  front_.state.limits.max_size = 0;
-  memory().dissipation = 0;
-  const std::int32_t neighbor = front_.state.front.mesh().neighbors(vertex_).front();
-  front_.state.front.mark_crack(vertex_, neighbor);
-  front_.state.follow_front();
+  crack_still_vertex();
   EXPECT_EQ(height(), limit(Pitch::gentle));
   front_.state.limits.max_pole_height = 0.25 * limit(Pitch::gentle);
   EXPECT_DOUBLE_EQ(height(), 0.25 * limit(Pitch::gentle));
@@ -57,11 +61,7 @@ TEST_F(PoleHeight, IsGentleAndCappedAtACrackWhoseDamageGrows) {
 }
 
 TEST_F(PoleHeight, IsFullAtACrackAtRest) {
-  front_.state.limits.max_size = 0;
-  memory().dissipation = 0;
-  const std::int32_t neighbor = front_.state.front.mesh().neighbors(vertex_).front();
-  front_.state.front.mark_crack(vertex_, neighbor);
-  front_.state.follow_front();
+  crack_still_vertex();
   front_.state.crack_state[0].effective_traction = 0;
   EXPECT_EQ(height(), limit(Pitch::full));
 }
