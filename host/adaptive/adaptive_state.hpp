@@ -120,11 +120,13 @@ inline bool touches_active_crack(const AdaptiveState& state, int vertex) {
   return false;
 }
 
-/// Whether that is so at a vertex that shares a cell with this one.
+/// Whether that is so at a corner of the cells round this vertex.
 inline bool is_near_active_crack(const AdaptiveState& state, int vertex) {
-  for (const std::int32_t other : state.front.mesh().neighbors(vertex))
-    if (touches_active_crack(state, other)) return true;
-  return touches_active_crack(state, vertex);
+  const FrontMesh& mesh = state.front.mesh();
+  for (const CellCorner& entry : mesh.star(vertex))
+    for (const std::int32_t corner : mesh.vertices(entry.cell))
+      if (touches_active_crack(state, corner)) return true;
+  return false;
 }
 
 }  // namespace tentpole
