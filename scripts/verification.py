@@ -1,6 +1,8 @@
 """What the scripts verify_* have in common."""
+import json
 import os
 import pathlib
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -18,3 +20,14 @@ def program_and_options(documentation):
         print(f"{name}: there is no program {program}. Build it with scripts/build, or give it first.", file=sys.stderr)
         sys.exit(2)
     return program, arguments
+
+
+def solve(program, example, folder, settings, options):
+    """Runs an example into a folder with settings KEY=VALUE; its summary. Ends with the program's exit code where that fails."""
+    chosen = [item for setting in settings for item in ("--set", setting)]
+    command = [program, "run", str(ROOT / "examples" / example), "--out", str(folder), "--quiet", *chosen, *options]
+    code = subprocess.run(command).returncode
+    if code != 0:
+        print(f"{pathlib.Path(sys.argv[0]).name}: {' '.join(command)} failed.", file=sys.stderr)
+        sys.exit(code)
+    return json.loads((folder / "summary.json").read_text())

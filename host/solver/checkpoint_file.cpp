@@ -161,7 +161,8 @@ void check_format(const Reader& read) {
   read("version", version);
   if (version != std::vector<std::int64_t>{format_version})
     throw std::runtime_error("its format version is " + (version.empty() ? "absent" : std::to_string(version[0])) +
-                             " and this program reads version " + std::to_string(format_version));
+                             " and this program reads version " + std::to_string(format_version) +
+                             "; only the program that wrote it can go on");
 }
 
 /// Where replace_file prepares the file.
