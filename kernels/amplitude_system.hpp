@@ -53,17 +53,21 @@ inline PlaceRange independent_places(const AmplitudeSystem& system) {
 /// to = E from at some places: what arrives there when the elements emit `from`. The range has all of R or
 /// nothing of it.
 template <class Lanes>
-inline void exchange_amplitudes(const AmplitudeSystem& system, PlaceRange places, const double* from, double* to,
-                                const Lanes& lanes) {
-  const int end = places.end * system.max_ports;
-  for (int link = places.first * system.max_ports + lanes.first(); link < end; link += lanes.count()) {
-    const int source = system.source[link];
-    double* target = to + link * system.amplitudes_per_port;
-    for (int entry = 0; entry < system.amplitudes_per_port; ++entry)
-      target[entry] = source == none ? 0.0 : from[source + entry];
+TENTPOLE_STEP void exchange_amplitudes(const AmplitudeSystem& system, PlaceRange places, const double* from, double* to,
+                                       const Lanes& lanes) {
+  const int first = places.first * system.max_ports, num_links = places.end * system.max_ports - first,
+            per_port = system.amplitudes_per_port;
+  share(lanes, num_links, per_port, [&](int link) {
+    const int source = system.source[first + link];
+    double* target = to + (first + link) * per_port;
+    return [=](int entry) { target[entry] = source == none ? 0.0 : from[source + entry]; };
+  });
+  if (places.first == 0 && system.num_fractures > 0) {
+    load_intact_tractions(system.fractures, system.num_fractures, from, lanes);
+    share(lanes, system.num_fractures, system.fractures[0].size(), [&](int f) {
+      return [=, &link = system.fractures[f]](int entry) { add_through_fracture(link, entry, from, to); };
+    });
   }
-  if (places.first == 0)
-    for (int f = 0; f < system.num_fractures; ++f) add_through_fracture(system.fractures[f], from, to, lanes);
   lanes.synchronize();
 }
 
@@ -76,35 +80,42 @@ inline void combine_rows(const double* rows, long stride, int num_rows, const do
   for (int v = 0; v < vectors; ++v) store4(out + 4 * v, sum[v]);
 }
 
-/// out = T x of one element; out has room for the padding.
-template <class Lanes>
-inline void respond(const double* response, long stride, int num_amplitudes, const double* x, double* out,
-                    const Lanes& lanes) {
-  if constexpr (Lanes::cooperative) {
-    for (int row = lanes.first(); row < num_amplitudes; row += lanes.count()) {
-      double sum = 0;
-      for (int j = 0; j < num_amplitudes; ++j) sum -= response[j * stride + row] * x[j];
-      out[row] = sum;
-    }
-  } else {
-    int first = 0;
-    for (; first + 24 <= num_amplitudes; first += 24)
-      combine_rows<6>(response + first, stride, num_amplitudes, x, out + first);
-    for (; first + 12 <= num_amplitudes; first += 12)
-      combine_rows<3>(response + first, stride, num_amplitudes, x, out + first);
-    for (; first < num_amplitudes; first += 4)
-      combine_rows<1>(response + first, stride, num_amplitudes, x, out + first);
-  }
+/// out = T x of one element by one thread; out has room for the padding.
+inline void respond(const double* response, long stride, int num_amplitudes, const double* x, double* out) {
+  int first = 0;
+  for (; first + 24 <= num_amplitudes; first += 24)
+    combine_rows<6>(response + first, stride, num_amplitudes, x, out + first);
+  for (; first + 12 <= num_amplitudes; first += 12)
+    combine_rows<3>(response + first, stride, num_amplitudes, x, out + first);
+  for (; first < num_amplitudes; first += 4) combine_rows<1>(response + first, stride, num_amplitudes, x, out + first);
+}
+
+/// One entry of T x of an element.
+inline double respond_entry(const double* response, long stride, int num_amplitudes, const double* x, int entry) {
+  double sum = 0;
+  for (int j = 0; j < num_amplitudes; ++j) sum -= response[j * stride + entry] * x[j];
+  return sum;
 }
 
 /// product = T x at some places; it has size() + 4 entries. Entries before the range stay, up to three behind it do
 /// not.
 template <class Lanes>
-inline void respond_at(const AmplitudeSystem& system, PlaceRange places, const double* x, double* product,
-                       const Lanes& lanes) {
-  for (int place = places.first; place < places.end; ++place)
-    respond(system.response[place], system.response_stride[place], system.num_amplitudes[place],
-            x + place * system.max_amplitudes, product + place * system.max_amplitudes, lanes);
+TENTPOLE_STEP void respond_at(const AmplitudeSystem& system, PlaceRange places, const double* x, double* product,
+                              const Lanes& lanes) {
+  if constexpr (Lanes::cooperative) {
+    share(lanes, places.end - places.first, system.max_amplitudes, [&](int index) {
+      const int place = places.first + index, first = place * system.max_amplitudes;
+      return [=, &system](int entry) {
+        if (entry < system.num_amplitudes[place])
+          product[first + entry] = respond_entry(system.response[place], system.response_stride[place],
+                                                 system.num_amplitudes[place], x + first, entry);
+      };
+    });
+  } else {
+    for (int place = places.first; place < places.end; ++place)
+      respond(system.response[place], system.response_stride[place], system.num_amplitudes[place],
+              x + place * system.max_amplitudes, product + place * system.max_amplitudes);
+  }
   lanes.synchronize();
 }
 

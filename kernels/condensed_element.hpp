@@ -18,10 +18,11 @@ struct PatchShape {
 };
 
 /// Shape of one element's condensed system
-///     [ A    P ]      A   [n x n]  volume, inflow and own sides of the vertical facets
-///     [ O^T  0 ]      P   how incoming amplitudes load the element, O its outgoing amplitudes,
-/// stored row-major with leading dimension `stride`. n and the number of amplitudes are rounded up to multiples of 4
-/// (identity and zeros in the padding), so that every tile of the elimination is whole.
+///     [ A    P  b ]      A   [n x n]  volume, inflow and own sides of the vertical facets
+///     [ O^T  0  0 ]      P   how incoming amplitudes load the element, O its outgoing amplitudes, b the right-hand
+///     side
+/// stored row-major with leading dimension `stride`. n, the number of amplitudes and the one right-hand side are
+/// rounded up to multiples of 4 (identity and zeros in the padding), so that every tile of the elimination is whole.
 struct CondensedShape {
   int num_unknowns;         ///< n
   int unknowns_padded;      ///< first column of P and first row of O^T
@@ -29,8 +30,9 @@ struct CondensedShape {
   int amplitudes_per_port;  ///< r, or more in a general patch: room for the waves and rigid modes of an inclined facet
   int num_amplitudes;       ///< R = amplitudes_per_port num_ports
   int amplitudes_padded;
-  int rows;    ///< unknowns_padded + amplitudes_padded
-  int stride;  ///< >= rows; not a multiple of 128 doubles, which would crowd a few cache sets
+  int rows;     ///< unknowns_padded + amplitudes_padded; also the column of b
+  int columns;  ///< rows + 4
+  int stride;   ///< >= columns; not a multiple of 32 doubles, which would crowd a few cache sets
 
   CondensedShape(const ReferenceTablesView& tables, const PatchShape& patch, int num_ports)
       : num_unknowns(tables.num_unknowns),
@@ -40,7 +42,10 @@ struct CondensedShape {
         num_amplitudes(amplitudes_per_port * num_ports),
         amplitudes_padded((num_amplitudes + 3) / 4 * 4),
         rows(unknowns_padded + amplitudes_padded),
-        stride(rows % 32 == 0 ? rows + 4 : rows) {}
+        columns(rows + 4),
+        stride(columns % 32 == 0 ? columns + 4 : columns) {}
+
+  int right_column() const { return rows; }
 
   long matrix_size() const { return static_cast<long>(rows) * stride; }
 };

@@ -63,12 +63,13 @@ inline void find_sources(const PatchBatch& batch, const PatchDescriptor& patch, 
 /// The coupling system of a patch: places of the elements, which entry of the outgoing amplitudes feeds each port, and
 /// where each element's response block lies.
 template <int D, class Lanes>
-inline AmplitudeSystem connect_elements(const PatchBatch& batch, const PatchDescriptor& patch,
-                                        const PatchWorkspace<D>& workspace, const Lanes& lanes) {
+TENTPOLE_STEP AmplitudeSystem connect_elements(const PatchBatch& batch, const PatchWorkspace<D>& workspace,
+                                               const Lanes& lanes) {
+  const PatchDescriptor& patch = workspace.patch;
   const PatchShape shape = workspace.patch_shape();
   const CouplingIntegers own = coupling_integers<D>(workspace);
-  for (int e = lanes.first(); e < patch.num_elements; e += lanes.count())
-    find_neighbors<D>(batch, patch, *workspace.element(e).op, e, shape.max_ports, own.neighbor);
+  share(lanes, patch.num_elements,
+        [&](int e) { find_neighbors<D>(batch, patch, *workspace.element(e).op, e, shape.max_ports, own.neighbor); });
   lanes.synchronize();
   if (lanes.first() == 0)
     *own.num_unknown_elements = place_elements({patch.num_elements, shape.max_ports, own.neighbor}, own.place);
@@ -86,7 +87,7 @@ inline AmplitudeSystem connect_elements(const PatchBatch& batch, const PatchDesc
   system.max_ports = shape.max_ports;
   system.num_fractures = patch.num_fractures;
   system.fractures = workspace.links();
-  for (int e = lanes.first(); e < patch.num_elements; e += lanes.count()) {
+  share(lanes, patch.num_elements, [&](int e) {
     const ElementWorkspace<D> element = workspace.element(e);
     const CondensedShape condensed = workspace.shape(element);
     const int place = own.place[e];
@@ -95,7 +96,7 @@ inline AmplitudeSystem connect_elements(const PatchBatch& batch, const PatchDesc
     own.response_stride[place] = condensed.stride;
     own.num_amplitudes[place] = condensed.num_amplitudes;
     find_sources<D>(batch, patch, workspace, system, e, own.source);
-  }
+  });
   lanes.synchronize();
   return system;
 }

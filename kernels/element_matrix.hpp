@@ -40,43 +40,62 @@ inline double volume_weight(const ElementOperator<D>& op, int i, int j, int l, i
   return (l == k ? 1 : 2) * value;
 }
 
-template <int D, class Lanes>
-inline void build_volume_factors(const ElementOperator<D>& op, const ReferenceTablesView& tables,
-                                 const VolumeFactors& factors, const Lanes& lanes) {
+/// Row a of the factors that belong to a test function: D_t and the rigid modes.
+template <int D>
+inline void build_test_factors(const ElementOperator<D>& op, const ReferenceTablesView& tables, int a,
+                               const VolumeFactors& factors) {
   constexpr int d = D + 1;
   const int num_basis = tables.num_basis, stride = tables.basis_stride, num_modes = tables.num_curvature_modes;
-  for (int a = lanes.first(); a < num_basis; a += lanes.count()) {
-    for (int q = 0; q < num_modes; ++q) {
-      double sum = 0;
-      for (int l = 0; l < d; ++l)
-        sum += op.time_slope(l) * tables.volume_derivative[(l * num_basis + a) * tables.num_volume_modes + q];
-      factors.time_derivative[a * num_modes + q] = sum;
-    }
-    for (int rigid = 0; rigid < op.num_rigid; ++rigid)
-      for (int i = 0; i < D; ++i)
-        factors.rigid[(rigid * D + i) * stride + a] = rigid_moment<D>(op, tables, rigid, i, a);
+  for (int q = 0; q < num_modes; ++q) {
+    double sum = 0;
+    for (int l = 0; l < d; ++l)
+      sum += op.time_slope(l) * tables.volume_derivative[(l * num_basis + a) * tables.num_volume_modes + q];
+    factors.time_derivative[a * num_modes + q] = sum;
   }
-  for (int component = lanes.first(); component < D * D; component += lanes.count()) {
-    double weight[d * (d + 1) / 2];
-    for (int l = 0, pair = 0; l < d; ++l)
-      for (int k = l; k < d; ++k, ++pair)
-        weight[pair] = op.determinant * volume_weight<D>(op, component / D, component % D, l, k);
-    double* out = factors.curvature + static_cast<long>(component) * num_modes * stride;
-    for (int entry = 0; entry < num_modes * stride; ++entry) {
-      double sum = 0;
-      for (int pair = 0; pair < d * (d + 1) / 2; ++pair)
-        sum += weight[pair] * tables.curvature[static_cast<long>(pair) * num_modes * stride + entry];
-      out[entry] = sum;
-    }
+  double moment[ElementOperator<D>::num_rigid][D] = {};
+  for (int f = 0; f < op.num_rigid_facets; ++f) add_rigid_moments<D>(op.rigid[f], tables, a, moment);
+  for (int rigid = 0; rigid < op.num_rigid; ++rigid)
+    for (int i = 0; i < D; ++i) factors.rigid[(rigid * D + i) * stride + a] = moment[rigid][i];
+}
+
+/// H of one pair of components (i, j) = component.
+template <int D>
+inline void build_curvature_factor(const ElementOperator<D>& op, const ReferenceTablesView& tables, int component,
+                                   const VolumeFactors& factors) {
+  constexpr int d = D + 1, num_pairs = d * (d + 1) / 2;
+  const int size = tables.num_curvature_modes * tables.basis_stride;
+  double weight[num_pairs];
+  for (int l = 0, pair = 0; l < d; ++l)
+    for (int k = l; k < d; ++k, ++pair)
+      weight[pair] = op.determinant * volume_weight<D>(op, component / D, component % D, l, k);
+  double* out = factors.curvature + static_cast<long>(component) * size;
+  for (int entry = 0; entry < size; ++entry) {
+    double sum = 0;
+    for (int pair = 0; pair < num_pairs; ++pair)
+      sum += weight[pair] * tables.curvature[static_cast<long>(pair) * size + entry];
+    out[entry] = sum;
   }
 }
+
+/// What the own matrix of one element is made of, and where it goes.
+template <int D>
+struct OwnMatrix {
+  const ReferenceTablesView& tables;
+  const FacetWeights<D>& weights;
+  int num_facets;
+  VolumeFactors factors;
+  double* matrix;
+  int stride;
+};
 
 /// Entries A[(i, a), (j, b0 .. b0 + width)] for all i, j: facet terms by reference tensors, volume and rigid parts by
 /// their thin factors. V is double or Vector4, `count` of them side by side.
 template <int D, class V, int count>
-inline void matrix_strip(const FacetWeights<D>& weights, const VolumeFactors& factors,
-                         const ReferenceTablesView& tables, int a, int b0, double* matrix, int matrix_stride) {
+inline void matrix_strip(const OwnMatrix<D>& own, int a, int b0) {
   constexpr int width = sizeof(V) / sizeof(double);
+  const ReferenceTablesView& tables = own.tables;
+  const FacetWeights<D>& weights = own.weights;
+  const VolumeFactors& factors = own.factors;
   const int stride = tables.basis_stride, num_modes = tables.num_curvature_modes;
   const auto load = [](const double* from) {
     if constexpr (width == 1)
@@ -85,7 +104,7 @@ inline void matrix_strip(const FacetWeights<D>& weights, const VolumeFactors& fa
       return load4(from);
   };
   V sum[D * D][count] = {};
-  for (int f = 0; f < weights.num_facets; ++f) {
+  for (int f = 0; f < own.num_facets; ++f) {
     const double* gram = weights.gram[f] + static_cast<long>(a) * weights.pairs * stride + b0;
     for (int pair = 0; pair < weights.pairs; ++pair, gram += stride)
       for (int s = 0; s < count; ++s) {
@@ -109,7 +128,7 @@ inline void matrix_strip(const FacetWeights<D>& weights, const VolumeFactors& fa
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)
       for (int s = 0; s < count; ++s) {
-        double* to = matrix + static_cast<long>(i * tables.num_basis + a) * matrix_stride + j * tables.num_basis + b0 +
+        double* to = own.matrix + static_cast<long>(i * tables.num_basis + a) * own.stride + j * tables.num_basis + b0 +
                      s * width;
         if constexpr (width == 1)
           *to = sum[i * D + j][s];
@@ -118,70 +137,41 @@ inline void matrix_strip(const FacetWeights<D>& weights, const VolumeFactors& fa
       }
 }
 
-/// All rows of A in strips; the last strip overlaps its predecessor, so that no strip is partial.
-template <int D, class Lanes>
-inline void assemble_own_matrix(const FacetWeights<D>& weights, const VolumeFactors& factors,
-                                const ReferenceTablesView& tables, double* matrix, int matrix_stride,
-                                const Lanes& lanes) {
+/// Rows (i, a) of A for all i, in strips; the last strip overlaps its predecessor, so that no strip is partial.
+template <int D>
+inline void assemble_own_rows(const OwnMatrix<D>& own, int a) {
   constexpr int wide = D == 3 ? 4 : 8;
-  const int num_basis = tables.num_basis;
+  const int num_basis = own.tables.num_basis;
   const int width = num_basis >= wide ? wide : (num_basis >= 4 ? 4 : 1);
-  const int strips = (num_basis + width - 1) / width;
-  for (int tile = lanes.first(); tile < num_basis * strips; tile += lanes.count()) {
-    const int a = tile / strips, strip = tile % strips;
-    const int b0 = strip + 1 < strips ? strip * width : num_basis - width;
+  for (int begin = 0; begin < num_basis; begin += width) {
+    const int b0 = begin + width <= num_basis ? begin : num_basis - width;
     if (width == 8)
-      matrix_strip<D, Vector4, 2>(weights, factors, tables, a, b0, matrix, matrix_stride);
+      matrix_strip<D, Vector4, 2>(own, a, b0);
     else if (width == 4)
-      matrix_strip<D, Vector4, 1>(weights, factors, tables, a, b0, matrix, matrix_stride);
+      matrix_strip<D, Vector4, 1>(own, a, b0);
     else
-      matrix_strip<D, double, 1>(weights, factors, tables, a, b0, matrix, matrix_stride);
+      matrix_strip<D, double, 1>(own, a, b0);
   }
 }
 
-/// Identity on the padded diagonal, zeros elsewhere in the padding, in the lower right block and in the slots that a
-/// vertical facet of a general patch leaves unused.
-template <class Lanes>
-inline void clear_padding(const CondensedShape& shape, double* matrix, const Lanes& lanes) {
+/// One row of the padding: identity on the padded diagonal, zeros elsewhere in the padding, in the lower right block
+/// and in the slots that a vertical facet of a general patch leaves unused. The column of b is not touched.
+inline void clear_padding(const CondensedShape& shape, double* matrix, int row) {
   const int n = shape.num_unknowns, padded = shape.unknowns_padded, ports_end = padded + shape.num_amplitudes;
-  const auto clear = [](double* row, int first, int last) {
-    for (int column = first; column < last; ++column) row[column] = 0;
+  double* entries = matrix + static_cast<long>(row) * shape.stride;
+  const auto clear = [entries](int first, int last) {
+    for (int column = first; column < last; ++column) entries[column] = 0;
   };
   const bool has_spare_slots = shape.amplitudes_per_port > shape.vertical_amplitudes;
-  for (int row = lanes.first(); row < shape.rows; row += lanes.count()) {
-    double* entries = matrix + static_cast<long>(row) * shape.stride;
-    if (has_spare_slots) clear(entries, row < n ? n : 0, ports_end);
-    if (row < n) {
-      clear(entries, n, padded);
-      clear(entries, ports_end, shape.stride);
-    } else {
-      const bool amplitude_row = row >= padded && row < ports_end;
-      clear(entries, amplitude_row ? n : 0, shape.stride);
-      if (row < padded) entries[row] = 1;
-    }
+  if (has_spare_slots) clear(row < n ? n : 0, ports_end);
+  if (row < n) {
+    clear(n, padded);
+    clear(ports_end, shape.rows);
+  } else {
+    const bool amplitude_row = row >= padded && row < ports_end;
+    clear(amplitude_row ? n : 0, shape.rows);
+    if (row < padded) entries[row] = 1;
   }
-}
-
-/// The whole condensed matrix of one element (kernels/condensed_element.hpp). receivers [inclined facet]: the rigid
-/// modes of the neighbour's side, or nullptr where it takes none.
-/// Flops: 2 n^2 (pairs (1 + vertical facets) + num_curvature_modes + num_rigid) for A, flat in k but for the volume
-/// term.
-template <int D, class Lanes>
-inline void assemble_element(const ElementOperator<D>& op, const ReferenceTablesView& tables,
-                             const CondensedShape& shape, const RigidFacet<D>* const* receivers, double* factor_scratch,
-                             double* matrix, const Lanes& lanes) {
-  FacetWeights<D> weights;
-  build_facet_weights<D>(op, tables, weights);
-  const VolumeFactors factors = VolumeFactors::at(factor_scratch, tables);
-  build_volume_factors<D>(op, tables, factors, lanes);
-  clear_padding(shape, matrix, lanes);
-  lanes.synchronize();
-  assemble_own_matrix<D>(weights, factors, tables, matrix, shape.stride, lanes);
-  for (int f = 0; f < op.num_vertical; ++f)
-    if (op.vertical[f].port != none) assemble_port<D>(op.vertical[f], tables, shape, matrix, lanes);
-  for (int f = 0; f < op.num_inclined; ++f)
-    assemble_inclined_port<D>(op, op.inclined[f], receivers[f], tables, shape, matrix, lanes);
-  lanes.synchronize();
 }
 
 }  // namespace tentpole

@@ -5,14 +5,19 @@
 namespace tentpole {
 
 /// Contraction weights of all facet terms of one element: facet f contributes weight[f][l, l'][i, j] <d_l phi_a d_l'
-/// phi_b>.
+/// phi_b>. Its facets come in the order inflow, vertical, inclined.
 template <int D>
 struct FacetWeights {
   static constexpr int pairs = (D + 1) * (D + 1);
-  int num_facets;
   const double* gram[D + 2];  ///< table of each facet, [a][l, l'][b]
   double weight[D + 2][pairs][D * D];
 };
+
+/// Facets with a term in the own matrix: all but those of outflow.
+template <int D>
+inline int num_weighted_facets(const ElementOperator<D>& op) {
+  return op.num_inflow + op.num_vertical + op.num_inclined;
+}
 
 /// -int what^T A_N w over an inflow facet, with A_N = N_t diag(rho, C^-1) - [0 N_x; N_x^T 0]:
 /// (-N_t) (rho v.v + E:C:E) + vhat.(sigma N_x) + (sigmahat N_x).v.
@@ -102,23 +107,24 @@ inline void inclined_weights(const InclinedFacet<D>& facet, double (&weight)[(D 
         }
 }
 
+/// Weights of one of the facets, f < num_weighted_facets.
 template <int D>
-inline void build_facet_weights(const ElementOperator<D>& op, const ReferenceTablesView& tables,
+inline void build_facet_weights(const ElementOperator<D>& op, const ReferenceTablesView& tables, int f,
                                 FacetWeights<D>& weights) {
-  int count = 0;
-  for (int f = 0; f < op.num_inflow; ++f, ++count) {
-    weights.gram[count] = tables.facet_gram(op.inflow[f].facet);
-    inflow_weights<D>(op, op.inflow[f], weights.weight[count]);
+  int facet;
+  if (f < op.num_inflow) {
+    facet = op.inflow[f].facet;
+    inflow_weights<D>(op, op.inflow[f], weights.weight[f]);
+  } else if (f < op.num_inflow + op.num_vertical) {
+    const VerticalFacet<D>& vertical = op.vertical[f - op.num_inflow];
+    facet = vertical.facet;
+    vertical_weights<D>(vertical, weights.weight[f]);
+  } else {
+    const InclinedFacet<D>& inclined = op.inclined[f - op.num_inflow - op.num_vertical];
+    facet = inclined.facet;
+    inclined_weights<D>(inclined, weights.weight[f]);
   }
-  for (int f = 0; f < op.num_vertical; ++f, ++count) {
-    weights.gram[count] = tables.facet_gram(op.vertical[f].facet);
-    vertical_weights<D>(op.vertical[f], weights.weight[count]);
-  }
-  for (int f = 0; f < op.num_inclined; ++f, ++count) {
-    weights.gram[count] = tables.facet_gram(op.inclined[f].facet);
-    inclined_weights<D>(op.inclined[f], weights.weight[count]);
-  }
-  weights.num_facets = count;
+  weights.gram[f] = tables.facet_gram(facet);
 }
 
 }  // namespace tentpole

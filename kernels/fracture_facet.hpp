@@ -4,7 +4,6 @@
 #include "kernels/contact_mode.hpp"
 #include "kernels/element_operator.hpp"
 #include "kernels/fracture_link.hpp"
-#include "kernels/lanes.hpp"
 
 namespace tentpole {
 
@@ -148,15 +147,13 @@ inline void lay_fracture_points(const FractureFacet& facet, const ReferenceTable
     }
 }
 
-/// Zeros in the arrays over points behind the last point.
-template <int D, class Lanes>
-inline void clear_fracture_padding(const ReferenceTablesView& tables, const FractureWorkspace<D>& workspace,
-                                   const Lanes& lanes) {
-  const int first = workspace.num_points(tables), last = workspace.points_padded(tables);
-  for (int m = lanes.first(); m < tables.num_facet_modes; m += lanes.count())
-    for (int q = first; q < last; ++q) workspace.psi[m * workspace.point_stride + q] = 0;
-  for (int field = lanes.first(); field < workspace.num_fields; field += lanes.count())
-    for (int q = first; q < last; ++q) workspace.loss[field * workspace.point_stride + q] = 0;
+/// Zeros behind the last point in the array over points of mode `row`, or of field row - num_facet_modes.
+template <int D>
+inline void clear_fracture_padding(const ReferenceTablesView& tables, const FractureWorkspace<D>& workspace, int row) {
+  const int field = row - tables.num_facet_modes;
+  double* values =
+      field < 0 ? workspace.psi + row * workspace.point_stride : workspace.loss + field * workspace.point_stride;
+  for (int q = workspace.num_points(tables); q < workspace.points_padded(tables); ++q) values[q] = 0;
 }
 
 /// sum_q loss_q psi_m(q) psi_n(q).
@@ -166,40 +163,38 @@ inline double weighted_product(const double* loss, const double* left, const dou
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/// W = I - sum_q w_q psi(q) psi(q)^T (x) (I - M_q): D = 0 is exact whatever the quadrature.
-template <int D, class Lanes>
-inline void assemble_traction_map(const FractureLaw& law, const ReferenceTablesView& tables,
-                                  const FractureWorkspace<D>& workspace, const Lanes& lanes) {
-  const int num_modes = tables.num_facet_modes, count = workspace.num_points(tables),
-            padded = workspace.points_padded(tables), size = D * num_modes;
+/// weight (I - M) at point q.
+template <int D>
+inline void load_point_loss(const FractureLaw& law, const FractureWorkspace<D>& workspace, int q) {
+  const FracturePoint& point = workspace.points[q];
+  const TractionMap map = traction_map(law, point.contact, point.damage, workspace.link->normal_sign);
   const long stride = workspace.point_stride;
-  for (int q = lanes.first(); q < count; q += lanes.count()) {
-    const FracturePoint& point = workspace.points[q];
-    const TractionMap map = traction_map(law, point.contact, point.damage, workspace.link->normal_sign);
-    workspace.loss[q] = point.weight * (1 - map.normal);
-    if constexpr (D == 2) {
-      workspace.loss[stride + q] = point.weight * (1 - map.tangential);
-      workspace.loss[2 * stride + q] = -point.weight * map.friction;
-    }
+  workspace.loss[q] = point.weight * (1 - map.normal);
+  if constexpr (D == 2) {
+    workspace.loss[stride + q] = point.weight * (1 - map.tangential);
+    workspace.loss[2 * stride + q] = -point.weight * map.friction;
   }
-  lanes.synchronize();
-  for (int pair = lanes.first(); pair < num_modes * num_modes; pair += lanes.count()) {
-    const int m = pair / num_modes, n = pair % num_modes;
-    if (n > m) continue;
-    const double *left = workspace.psi + m * stride, *right = workspace.psi + n * stride;
-    const auto put = [&](int c, int other, const double* loss) {
-      const double value = (c == other && m == n ? 1.0 : 0.0) - weighted_product(loss, left, right, padded);
-      workspace.map[(c * num_modes + m) * size + other * num_modes + n] = value;
-      workspace.map[(c * num_modes + n) * size + other * num_modes + m] = value;
-    };
-    put(0, 0, workspace.loss);
-    if constexpr (D == 2) {
-      put(1, 1, workspace.loss + stride);
-      put(1, 0, workspace.loss + 2 * stride);
-      workspace.map[m * size + num_modes + n] = workspace.map[n * size + num_modes + m] = 0;
-    }
+}
+
+/// Entries of two modes, n <= m, of W = I - sum_q w_q psi(q) psi(q)^T (x) (I - M_q): D = 0 is exact whatever the
+/// quadrature.
+template <int D>
+inline void assemble_map_entries(const ReferenceTablesView& tables, const FractureWorkspace<D>& workspace, int m,
+                                 int n) {
+  const int num_modes = tables.num_facet_modes, padded = workspace.points_padded(tables), size = D * num_modes;
+  const long stride = workspace.point_stride;
+  const double *left = workspace.psi + m * stride, *right = workspace.psi + n * stride;
+  const auto put = [&](int c, int other, const double* loss) {
+    const double value = (c == other && m == n ? 1.0 : 0.0) - weighted_product(loss, left, right, padded);
+    workspace.map[(c * num_modes + m) * size + other * num_modes + n] = value;
+    workspace.map[(c * num_modes + n) * size + other * num_modes + m] = value;
+  };
+  put(0, 0, workspace.loss);
+  if constexpr (D == 2) {
+    put(1, 1, workspace.loss + stride);
+    put(1, 0, workspace.loss + 2 * stride);
+    workspace.map[m * size + num_modes + n] = workspace.map[n * size + num_modes + m] = 0;
   }
-  lanes.synchronize();
 }
 
 /// Modes [(c, m)] / sqrt(|F|) at a point, component c.
@@ -210,15 +205,12 @@ inline double value_at(const FractureWorkspace<D>& workspace, const double* mode
   return sum / sqrt(workspace.link->measure);
 }
 
-/// s0 of side 0 at all points from its modes in `intact`.
-template <int D, class Lanes>
-inline void evaluate_tractions(const ReferenceTablesView& tables, const FractureWorkspace<D>& workspace,
-                               const Lanes& lanes) {
-  const int count = workspace.num_points(tables), num_modes = tables.num_facet_modes;
-  for (int q = lanes.first(); q < count; q += lanes.count())
-    for (int c = 0; c < D; ++c)
-      workspace.traction[c * workspace.point_stride + q] = value_at<D>(workspace, workspace.intact, num_modes, c, q);
-  lanes.synchronize();
+/// s0 of side 0 at point q from its modes in `intact`.
+template <int D>
+inline void evaluate_traction(const ReferenceTablesView& tables, const FractureWorkspace<D>& workspace, int q) {
+  for (int c = 0; c < D; ++c)
+    workspace.traction[c * workspace.point_stride + q] =
+        value_at<D>(workspace, workspace.intact, tables.num_facet_modes, c, q);
 }
 
 /// Components of a traction at a point, in the frame of the facet.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernels/lanes.hpp"
 #include "kernels/simd.hpp"
 
 namespace tentpole {
@@ -26,29 +27,35 @@ struct FractureLink {
   double compliance(int c) const { return 1 / impedance[0][c] + 1 / impedance[1][c]; }
 };
 
-/// The intact traction of side 0 in modes, from the outgoing amplitudes, into link.intact.
+/// The intact traction of side 0 in modes, from the outgoing amplitudes, into `intact` of every link; all have one
+/// size.
 template <class Lanes>
-inline void load_intact_traction(const FractureLink& link, const double* outgoing, const Lanes& lanes) {
-  for (int entry = lanes.first(); entry < link.size(); entry += lanes.count()) {
-    const int c = entry / link.num_modes;
-    const double z0 = link.impedance[0][c], z1 = link.impedance[1][c];
-    const double own = outgoing[link.first[0] + entry], other = outgoing[link.first[1] + entry];
-    link.intact[entry] = (z0 * sqrt(2 * z1) * other - z1 * sqrt(2 * z0) * own) / (z0 + z1);
-  }
+inline void load_intact_tractions(const FractureLink* links, int num_links, const double* outgoing,
+                                  const Lanes& lanes) {
+  if (num_links == 0) return;
+  share(lanes, num_links, links[0].size(), [&](int index) {
+    return [=, &link = links[index]](int entry) {
+      const int c = entry / link.num_modes;
+      const double z0 = link.impedance[0][c], z1 = link.impedance[1][c];
+      const double own = outgoing[link.first[0] + entry], other = outgoing[link.first[1] + entry];
+      link.intact[entry] = (z0 * sqrt(2 * z1) * other - z1 * sqrt(2 * z0) * own) / (z0 + z1);
+    };
+  });
   lanes.synchronize();
 }
 
-/// to += E from on the two ports of a fracture facet.
-template <class Lanes>
-inline void add_through_fracture(const FractureLink& link, const double* from, double* to, const Lanes& lanes) {
-  load_intact_traction(link, from, lanes);
-  for (int entry = lanes.first(); entry < link.size(); entry += lanes.count()) {
-    const double target = dot(link.map + static_cast<long>(entry) * link.size(), link.intact, link.size());
-    for (int side = 0; side < 2; ++side) {
-      const int at = link.first[side] + entry;
-      const double traction = side == 0 ? target : -target;
-      to[at] += from[at] + 2 * traction / sqrt(2 * link.impedance[side][entry / link.num_modes]);
-    }
+/// One entry of the target of side 0 in modes: W s0.
+inline double target_entry(const FractureLink& link, int entry) {
+  return dot(link.map + static_cast<long>(entry) * link.size(), link.intact, link.size());
+}
+
+/// to += E from for one entry of the two ports of a fracture facet.
+inline void add_through_fracture(const FractureLink& link, int entry, const double* from, double* to) {
+  const double target = target_entry(link, entry);
+  for (int side = 0; side < 2; ++side) {
+    const int at = link.first[side] + entry;
+    const double traction = side == 0 ? target : -target;
+    to[at] += from[at] + 2 * traction / sqrt(2 * link.impedance[side][entry / link.num_modes]);
   }
 }
 

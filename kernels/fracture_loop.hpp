@@ -62,8 +62,9 @@ inline void integrate_line(const FractureFacet& facet, const FractureLaw& law, c
 
 /// The link of one fracture facet: offsets, impedances, measure. Side s is element facet.element[s].
 template <int D>
-inline void link_fracture(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                          const AmplitudeSystem& system, int local) {
+inline void link_fracture(const PatchBatch& batch, const PatchWorkspace<D>& workspace, const AmplitudeSystem& system,
+                          int local) {
+  const PatchDescriptor& patch = workspace.patch;
   const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
   const FractureWorkspace<D> own = workspace.fracture(local);
   FractureLink& link = *own.link;
@@ -94,26 +95,63 @@ inline double pole_height(const PatchBatch& batch, const FractureFacet& facet) {
   return element.corner[D + 1][D] - element.corner[element.pole][D];
 }
 
+/// Calls work(facet, point) for the points of all fracture facets of a patch. The lanes do not meet.
+template <int D, class Lanes, class Work>
+inline void share_points(const PatchWorkspace<D>& workspace, const Lanes& lanes, Work work) {
+  const int max_points = static_cast<int>(FractureWorkspace<D>::max_points(workspace.tables));
+  share(lanes, workspace.patch.num_fractures, max_points, [&](int local) {
+    const FractureWorkspace<D> own = workspace.fracture(local);
+    return [=, &work, num_points = own.num_points(workspace.tables)](int q) {
+      if (q < num_points) work(own, q);
+    };
+  });
+}
+
+/// W of all fracture facets of a patch.
+template <int D, class Lanes>
+inline void assemble_traction_maps(const FractureLaw& law, const PatchWorkspace<D>& workspace, const Lanes& lanes) {
+  const int num_modes = workspace.tables.num_facet_modes;
+  share_points<D>(workspace, lanes, [&](const FractureWorkspace<D>& own, int q) { load_point_loss<D>(law, own, q); });
+  lanes.synchronize();
+  share(lanes, workspace.patch.num_fractures, num_modes * num_modes, [&](int local) {
+    return [=, &workspace, own = workspace.fracture(local)](int pair) {
+      const int m = pair / num_modes, n = pair % num_modes;
+      if (n <= m) assemble_map_entries<D>(workspace.tables, own, m, n);
+    };
+  });
+  lanes.synchronize();
+}
+
+/// s0 at all points of all fracture facets from the waves `outgoing`.
+template <int D, class Lanes>
+inline void load_tractions(const PatchWorkspace<D>& workspace, const double* outgoing, const Lanes& lanes) {
+  load_intact_tractions(workspace.links(), workspace.patch.num_fractures, outgoing, lanes);
+  share_points<D>(workspace, lanes,
+                  [&](const FractureWorkspace<D>& own, int q) { evaluate_traction<D>(workspace.tables, own, q); });
+  lanes.synchronize();
+}
+
 /// Lays out all fracture facets of a patch with damage and contact of the old front, and builds their maps.
 template <int D, class Lanes>
-inline void prepare_fractures(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                              const AmplitudeSystem& system, const Lanes& lanes) {
+TENTPOLE_STEP void prepare_fractures(const PatchBatch& batch, const PatchWorkspace<D>& workspace,
+                                     const AmplitudeSystem& system, const Lanes& lanes) {
   const ReferenceTablesView& tables = workspace.tables;
-  for (int local = lanes.first(); local < patch.num_fractures; local += lanes.count()) {
+  const PatchDescriptor& patch = workspace.patch;
+  share(lanes, patch.num_fractures, [&](int local) {
     const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
-    link_fracture<D>(batch, patch, workspace, system, local);
+    link_fracture<D>(batch, workspace, system, local);
     lay_fracture_lines<D>(facet, batch.fracture_law, tables, pole_height<D>(batch, facet), workspace.fracture(local));
-  }
+  });
   lanes.synchronize();
-  for (int local = 0; local < patch.num_fractures; ++local) {
-    const FractureWorkspace<D> own = workspace.fracture(local);
+  share(lanes, patch.num_fractures, tables.num_lines, [&](int local) {
     const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
-    for (int line = lanes.first(); line < tables.num_lines; line += lanes.count())
-      lay_fracture_points<D>(facet, tables, line, own);
-    clear_fracture_padding<D>(tables, own, lanes);
-    lanes.synchronize();
-    assemble_traction_map<D>(batch.fracture_law, tables, own, lanes);
-  }
+    return [&, own = workspace.fracture(local)](int line) { lay_fracture_points<D>(facet, tables, line, own); };
+  });
+  share(lanes, patch.num_fractures, tables.num_facet_modes + FractureWorkspace<D>::num_fields, [&](int local) {
+    return [&, own = workspace.fracture(local)](int row) { clear_fracture_padding<D>(tables, own, row); };
+  });
+  lanes.synchronize();
+  assemble_traction_maps<D>(batch.fracture_law, workspace, lanes);
 }
 
 /// What one round changed, over all fracture facets of a patch.
@@ -126,24 +164,26 @@ struct RoundChange {
 
 /// Damage and contact modes that follow from the waves `outgoing`; all lanes get the same change.
 template <int D, class Lanes>
-inline RoundChange integrate_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
-                                       const PatchWorkspace<D>& workspace, const double* outgoing, const Lanes& lanes) {
-  const ReferenceTablesView& tables = workspace.tables;
+TENTPOLE_STEP RoundChange integrate_fractures(const PatchBatch& batch, const PatchWorkspace<D>& workspace,
+                                              const double* outgoing, const Lanes& lanes) {
+  const int num_lines = workspace.tables.num_lines, num_fractures = workspace.patch.num_fractures;
+  load_tractions<D>(workspace, outgoing, lanes);
+  share(lanes, num_fractures, num_lines, [&](int local) {
+    const FractureFacet& facet = batch.fracture_facets[workspace.patch.first_fracture + local];
+    return [&, own = workspace.fracture(local)](int line) {
+      integrate_line<D>(facet, batch.fracture_law, workspace.tables, own, line);
+    };
+  });
+  lanes.synchronize();
   RoundChange change;
-  for (int local = 0; local < patch.num_fractures; ++local) {
-    const FractureWorkspace<D> own = workspace.fracture(local);
-    const FractureFacet& facet = batch.fracture_facets[patch.first_fracture + local];
-    load_intact_traction(*own.link, outgoing, lanes);
-    evaluate_tractions<D>(tables, own, lanes);
-    for (int line = lanes.first(); line < tables.num_lines; line += lanes.count())
-      integrate_line<D>(facet, batch.fracture_law, tables, own, line);
-    lanes.synchronize();
-    for (int line = 0; line < tables.num_lines; ++line) {
-      change.secant_product += own.lines[line].secant_product;
-      change.secant_square += own.lines[line].secant_square;
-      change.damage = larger_or_nan(change.damage, own.lines[line].damage_change);
-      change.largest_normal = larger_or_nan(change.largest_normal, own.lines[line].largest_normal);
-      change.traction = larger_or_nan(change.traction, own.lines[line].traction_change);
+  for (int local = 0; local < num_fractures; ++local) {
+    const FractureLine* lines = workspace.fracture(local).lines;
+    for (int line = 0; line < num_lines; ++line) {
+      change.secant_product += lines[line].secant_product;
+      change.secant_square += lines[line].secant_square;
+      change.damage = larger_or_nan(change.damage, lines[line].damage_change);
+      change.largest_normal = larger_or_nan(change.largest_normal, lines[line].largest_normal);
+      change.traction = larger_or_nan(change.traction, lines[line].traction_change);
     }
   }
   return change;
@@ -153,31 +193,28 @@ inline RoundChange integrate_fractures(const PatchBatch& batch, const PatchDescr
 /// maps: D <- next D - secant (next D - next D of the round before). secant 0: as it is; with `freeze` a point whose
 /// mode flips keeps the one it has from now on.
 template <int D, class Lanes>
-inline void accept_round(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                         double secant, bool freeze, const Lanes& lanes) {
-  for (int local = 0; local < patch.num_fractures; ++local) {
-    const FractureWorkspace<D> own = workspace.fracture(local);
-    for (int q = lanes.first(); q < own.num_points(workspace.tables); q += lanes.count()) {
-      FracturePoint& point = own.points[q];
-      const double step = point.next_damage - point.damage;
-      const double damage =
-          point.next_damage - secant * (point.next_damage - point.previous_damage - point.previous_step);
-      point.previous_damage = point.damage;
-      point.previous_step = step;
-      point.damage = fmin(fmax(damage, 0.0), 1.0);
-      point.is_frozen = point.is_frozen || (freeze && !(point.next_contact == point.contact));
-      if (!point.is_frozen) point.contact = point.next_contact;
-    }
-    lanes.synchronize();
-    assemble_traction_map<D>(batch.fracture_law, workspace.tables, own, lanes);
-  }
+TENTPOLE_STEP void accept_round(const FractureLaw& law, const PatchWorkspace<D>& workspace, double secant, bool freeze,
+                                const Lanes& lanes) {
+  share_points<D>(workspace, lanes, [&](const FractureWorkspace<D>& own, int q) {
+    FracturePoint& point = own.points[q];
+    const double step = point.next_damage - point.damage;
+    const double damage =
+        point.next_damage - secant * (point.next_damage - point.previous_damage - point.previous_step);
+    point.previous_damage = point.damage;
+    point.previous_step = step;
+    point.damage = fmin(fmax(damage, 0.0), 1.0);
+    point.is_frozen = point.is_frozen || (freeze && !(point.next_contact == point.contact));
+    if (!point.is_frozen) point.contact = point.next_contact;
+  });
+  lanes.synchronize();
+  assemble_traction_maps<D>(law, workspace, lanes);
 }
 
 /// Solves the amplitudes at the present maps: incoming = x, and the emitted waves y = t + T x into the product of the
 /// coupling scratch.
 template <int D, class Lanes>
 inline int solve_amplitudes(const PatchWorkspace<D>& workspace, const AmplitudeSystem& system, const Lanes& lanes) {
-  const CouplingScratch scratch = CouplingScratch::at(workspace.coupling(), system.size());
+  const CouplingScratch scratch = workspace.coupling();
   const double* outgoing = workspace.outgoing();
   const int iterations = solve_coupling(system, outgoing, workspace.incoming(), scratch, lanes);
   emit_amplitudes(system, independent_places(system), outgoing, workspace.incoming(), scratch.product, lanes);
@@ -206,22 +243,21 @@ inline double secant_factor(int round, const RoundChange& change, double last_ch
 /// the secant halves the rounds and needs no more than 22 for tents of ten relaxation times. Modes that still flip
 /// after 10 rounds stay as they are. The maps at the end are those of the last solution.
 template <int D, class Lanes>
-inline DamageLoop solve_fractures(const PatchBatch& batch, const PatchDescriptor& patch,
-                                  const PatchWorkspace<D>& workspace, const AmplitudeSystem& system,
-                                  const Lanes& lanes) {
+inline DamageLoop solve_fractures(const PatchBatch& batch, const PatchWorkspace<D>& workspace,
+                                  const AmplitudeSystem& system, const Lanes& lanes) {
   constexpr int max_rounds = 30, flipping_rounds = 10;
   constexpr double tolerance = 1e-10;
-  const double* emitted = CouplingScratch::at(workspace.coupling(), system.size()).product;
+  const double* emitted = workspace.coupling().product;
   DamageLoop loop;
   double last_change = 0;
   while (true) {
     ++loop.rounds;
     loop.iterations = solve_amplitudes(workspace, system, lanes);
-    const RoundChange change = integrate_fractures<D>(batch, patch, workspace, emitted, lanes);
+    const RoundChange change = integrate_fractures<D>(batch, workspace, emitted, lanes);
     const double scale = fmax(change.largest_normal, 1e-3 * batch.fracture_law.strength);
     loop.has_converged = change.damage < tolerance && change.traction < tolerance * scale;
     if (loop.has_converged || loop.rounds == max_rounds) return loop;
-    accept_round<D>(batch, patch, workspace, secant_factor(loop.rounds, change, last_change),
+    accept_round<D>(batch.fracture_law, workspace, secant_factor(loop.rounds, change, last_change),
                     loop.rounds >= flipping_rounds, lanes);
     last_change = change.damage;
   }

@@ -36,8 +36,9 @@ inline void add_point(const FractureLaw& law, const ReferenceTablesView& tables,
 /// elements what the modes of element_residual leave out: int (s* - s).Z^-1 (s* - s) also of the part of s* that is no
 /// polynomial of degree k - 1. The points integrate products of modes exactly, so this part is orthogonal to the rest.
 template <int D>
-inline void record_fracture(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                            int local, int rounds, Status status) {
+inline void record_fracture(const PatchBatch& batch, const PatchWorkspace<D>& workspace, int local, int rounds,
+                            Status status) {
+  const PatchDescriptor& patch = workspace.patch;
   const ReferenceTablesView& tables = workspace.tables;
   const FractureWorkspace<D> own = workspace.fracture(local);
   const FractureLink& link = *own.link;
@@ -67,21 +68,21 @@ inline void record_fracture(const PatchBatch& batch, const PatchDescriptor& patc
       batch.records[facet.element[side]].dissipation += link.measure * sums.excess[c] / link.impedance[side][c];
 }
 
-/// Records of all fracture facets of a solved patch from the waves that its elements emit, after their own records.
+/// Records of all fracture facets of a solved patch from the waves that its elements emit, after their own records. One
+/// lane makes them all, since two facets may add to one element.
 template <int D, class Lanes>
-inline void record_fractures(const PatchBatch& batch, const PatchDescriptor& patch, const PatchWorkspace<D>& workspace,
-                             int rounds, Status status, const Lanes& lanes) {
-  for (int local = 0; local < patch.num_fractures; ++local) {
-    const FractureWorkspace<D> own = workspace.fracture(local);
-    const FractureLink& link = *own.link;
-    load_intact_traction(link, workspace.outgoing(), lanes);
-    evaluate_tractions<D>(workspace.tables, own, lanes);
-    for (int entry = lanes.first(); entry < link.size(); entry += lanes.count())
-      own.target[entry] = dot(own.map + static_cast<long>(entry) * link.size(), own.intact, link.size());
-    lanes.synchronize();
-    if (lanes.first() == 0) record_fracture<D>(batch, patch, workspace, local, rounds, status);
-    lanes.synchronize();
-  }
+TENTPOLE_STEP void record_fractures(const PatchBatch& batch, const PatchWorkspace<D>& workspace, int rounds,
+                                    Status status, const Lanes& lanes) {
+  const int num_fractures = workspace.patch.num_fractures;
+  if (num_fractures == 0) return;
+  load_tractions<D>(workspace, workspace.outgoing(), lanes);
+  share(lanes, num_fractures, workspace.links()[0].size(), [&](int local) {
+    return [own = workspace.fracture(local)](int entry) { own.target[entry] = target_entry(*own.link, entry); };
+  });
+  lanes.synchronize();
+  if (lanes.first() == 0)
+    for (int local = 0; local < num_fractures; ++local) record_fracture<D>(batch, workspace, local, rounds, status);
+  lanes.synchronize();
 }
 
 }  // namespace tentpole

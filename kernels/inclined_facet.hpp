@@ -7,6 +7,9 @@
 
 namespace tentpole {
 
+template <int D>
+struct RigidFacet;  // kernels/element_geometry.hpp
+
 /// A facet inside a patch that is not parallel to the time axis (inclined tent poles, vertex deletions, flips): upwind
 /// by characteristics, one material on both sides (docs/formulation.md, Element problem). With the outward covector N
 /// dA, |N| = |N_x|, n = N_x / |N|, the eigenvalues of A_N r = lambda A_0 r and the waves r^T A_0 w of unit energy are
@@ -20,6 +23,7 @@ struct InclinedFacet {
   int facet;
   int port;
   int rigid;                             ///< index among the element's rigid facets where N_t < 0, otherwise none
+  const RigidFacet<D>* receiver;         ///< the other side's rigid facet where it has N_t < 0, otherwise nullptr
   double time_part;                      ///< N_t dA
   double incoming[num_waves][D][D + 1];  ///< of waves that this side takes in; zero for the others
   double outgoing[num_waves][D][D + 1];  ///< of waves that the other side takes in

@@ -13,9 +13,16 @@
 namespace tentpole {
 namespace {
 
-/// One worker's share of a launch.
+#ifdef __NVPTX__
+constexpr bool is_gpu_image = true;
+#else
+constexpr bool is_gpu_image = false;
+#endif
+
+/// One worker's share of a launch. A GPU image holds the code for teams alone, which halves it.
 template <int D, class Lanes>
 inline void run_patch(const PatchSolverTask& task, int patch, int worker, const Lanes& lanes) {
+  if constexpr (is_gpu_image && !Lanes::cooperative) return __builtin_trap();
   StageCycles cycles;
   solve_patch<D>(task.batch, task.tables, patch, task.scratch + worker * task.scratch_stride, cycles, lanes);
   if (lanes.first() == 0) {
@@ -41,18 +48,19 @@ void run_on_cpu_device(const PatchSolverTask task, int device_number) {
   for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
 }
 
+/// Teams that stay with their scratch and take every num_teams-th patch. `parallel` directly inside `teams`, and no
+/// statement between them, makes all lanes run from the start (SPMD): no state machine, no shared stack, no heap.
 template <int D>
 void run_on_gpu(const PatchSolverTask task, int device_number) {
   const int num_patches = task.batch.num_patches, teams = task.shape.workers, lanes = task.shape.lanes;
-#pragma omp target teams distribute num_teams(teams) thread_limit(lanes) device(device_number) firstprivate(task)
-  for (int worker = 0; worker < teams; ++worker) {
+#pragma omp target teams num_teams(teams) thread_limit(lanes) device(device_number) firstprivate(task)
 #pragma omp parallel num_threads(lanes)
-    {
-      const TeamLanes team{omp_get_thread_num(), omp_get_num_threads()};
-      for (int patch = worker; patch < num_patches; patch += teams) {
-        run_patch<D>(task, patch, worker, team);
-        team.synchronize();
-      }
+  {
+    const TeamLanes team{omp_get_thread_num(), omp_get_num_threads()};
+    const int worker = omp_get_team_num(), workers = omp_get_num_teams();
+    for (int patch = worker; patch < num_patches; patch += workers) {
+      run_patch<D>(task, patch, worker, team);
+      team.synchronize();
     }
   }
 }
@@ -63,7 +71,8 @@ void run_on_gpu(const PatchSolverTask task, int device_number) {
 long patch_scratch_size(const ReferenceTablesView& tables, const PatchDescriptor& patch, int lanes) {
   double start = 0;
   return with_dimension(tables.dimension, [&](auto dimension) {
-    return PatchWorkspace<dimension()>{tables, patch, lanes, &start}.size();
+    if (lanes == 1) return PatchWorkspace<dimension()>(tables, patch, &start, SerialLane{}).size();
+    return PatchWorkspace<dimension()>(tables, patch, &start, TeamLanes{0, lanes}).size();
   });
 }
 

@@ -7,12 +7,22 @@ namespace tentpole {
 typedef double Vector4 __attribute__((vector_size(32)));
 typedef double UnalignedVector4 __attribute__((vector_size(32), aligned(8), may_alias));
 
+#ifdef TENTPOLE_THREAD_SANITIZER
+// The sanitizer overlooks accesses of more than 16 bytes, so it is shown every number.
+inline Vector4 load4(const double* from) {
+  return {from[0], from[1], from[2], from[3]};
+}
+inline void store4(double* to, Vector4 value) {
+  for (int i = 0; i < 4; ++i) to[i] = value[i];
+}
+#else
 inline Vector4 load4(const double* from) {
   return *reinterpret_cast<const UnalignedVector4*>(from);
 }
 inline void store4(double* to, Vector4 value) {
   *reinterpret_cast<UnalignedVector4*>(to) = value;
 }
+#endif
 inline Vector4 broadcast4(double value) {
   return Vector4{value, value, value, value};
 }

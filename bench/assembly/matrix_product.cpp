@@ -92,7 +92,8 @@ void assemble(const PatchBatch& batch, const ReferenceTablesView& tables, int el
   const ElementOperator<D> op = checked_operator<D>(batch, tables, element);
   std::vector<double> scratch(VolumeFactors::size(tables));
   const VolumeFactors factors = VolumeFactors::at(scratch.data(), tables);
-  build_volume_factors<D>(op, tables, factors, SerialLane{});
+  for (int a = 0; a < tables.num_basis; ++a) build_test_factors<D>(op, tables, a, factors);
+  for (int component = 0; component < D * D; ++component) build_curvature_factor<D>(op, tables, component, factors);
   set_volume_and_rigid<D>(factors, tables, matrix);
   for (int f = 0; f < op.num_inflow; ++f) add_inflow<D>(op, tables, op.inflow[f], matrix);
   for (int f = 0; f < op.num_vertical; ++f) add_vertical<D>(op.vertical[f], tables, matrix);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "kernels/point_state.reference.hpp"
-#include "kernels/post_processing.hpp"
+#include "kernels/principal_stress.hpp"
 #include "kernels/simd.hpp"
 #include "kernels/with_dimension.hpp"
 

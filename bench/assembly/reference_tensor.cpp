@@ -14,9 +14,11 @@ void assemble(const PatchBatch& batch, const ReferenceTablesView& tables, int el
   std::vector<double> scratch(VolumeFactors::size(tables));
   const VolumeFactors factors = VolumeFactors::at(scratch.data(), tables);
   FacetWeights<D> weights;
-  build_facet_weights<D>(op, tables, weights);
-  build_volume_factors<D>(op, tables, factors, SerialLane{});
-  assemble_own_matrix<D>(weights, factors, tables, matrix, tables.num_unknowns, SerialLane{});
+  for (int f = 0; f < num_weighted_facets(op); ++f) build_facet_weights<D>(op, tables, f, weights);
+  for (int a = 0; a < tables.num_basis; ++a) build_test_factors<D>(op, tables, a, factors);
+  for (int component = 0; component < D * D; ++component) build_curvature_factor<D>(op, tables, component, factors);
+  const OwnMatrix<D> own{tables, weights, num_weighted_facets(op), factors, matrix, tables.num_unknowns};
+  for (int a = 0; a < tables.num_basis; ++a) assemble_own_rows<D>(own, a);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "bench/lu/variants.hpp"
-#include "kernels/eliminate.hpp"
+#include "kernels/eliminate_strips.hpp"
 
 namespace tentpole {
 namespace {
@@ -12,8 +12,8 @@ constexpr int block_size = 192;  // of 32 to 384 the fastest at N = 1080
 /// LU in place of the first `size` rows and columns, a multiple of 4.
 void factor(double* matrix, long stride, int size, double* packed) {
   for (int first = 0; first < size; first += block_size) {
-    const int num_pivots = std::min(block_size, size - first);
-    if (!eliminate(matrix + first * (stride + 1), stride, num_pivots, size - first, packed))
+    const int num_pivots = std::min(block_size, size - first), rest = size - first;
+    if (!eliminate_strips(matrix + first * (stride + 1), stride, num_pivots, rest, rest, packed))
       throw std::runtime_error("a pivot of the dense patch matrix vanished");
   }
 }

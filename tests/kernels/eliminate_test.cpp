@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <lapacke.h>
 
+#include "kernels/triangular_solve.hpp"
+
 namespace tentpole {
 namespace {
 
@@ -63,31 +65,45 @@ std::vector<double> lapack_solve(CondensedSystem system, std::vector<double> rig
 
 enum class Variant { serial, one_lane, three_lanes };
 
+/// Calls work(lanes) as the variant says.
+template <class Work>
+void run(Variant variant, Work work) {
+  if (variant == Variant::serial) return work(SerialLane{});
+#pragma omp parallel num_threads(variant == Variant::one_lane ? 1 : 3)
+  work(TeamLanes{omp_get_thread_num(), omp_get_num_threads()});
+}
+
+/// Eliminates the systems side by side; returns which are regular.
+std::vector<int> eliminate_by(Variant variant, std::vector<CondensedSystem>& systems) {
+  std::vector<double> packed(8 * systems[0].shape.unknowns_padded), inverse_upper(16 * systems.size());
+  std::vector<int> is_regular(systems.size());
+  CondensedShape largest = systems[0].shape;
+  for (const CondensedSystem& system : systems)
+    if (system.shape.rows > largest.rows) largest = system.shape;
+  const auto system_of = [&](int e) {
+    return EliminatedSystem{systems[e].matrix.data(), systems[e].shape, &inverse_upper[16 * e], &is_regular[e]};
+  };
+  run(variant, [&](const auto& lanes) {
+    eliminate_elements({0, static_cast<int>(systems.size())}, largest, system_of, packed.data(), lanes);
+  });
+  return is_regular;
+}
 bool eliminate_by(Variant variant, CondensedSystem& system) {
-  std::vector<double> packed(8 * system.shape.unknowns_padded);
-  if (variant == Variant::serial)
-    return eliminate_element(system.shape, system.matrix.data(), packed.data(), SerialLane{});
-  bool regular = true;
-#pragma omp parallel num_threads(variant == Variant::one_lane ? 1 : 3) reduction(&& : regular)
-  regular = eliminate_element(system.shape, system.matrix.data(), packed.data(),
-                              TeamLanes{omp_get_thread_num(), omp_get_num_threads()});
-  return regular;
+  std::vector<CondensedSystem> alone{system};
+  const bool is_regular = eliminate_by(variant, alone)[0];
+  system = alone[0];
+  return is_regular;
 }
 
 /// U^-1 L^-1 right with the substitutions of the same variant.
 std::vector<double> substitute_by(Variant variant, const CondensedSystem& system, std::vector<double> right) {
-  right.resize(system.shape.unknowns_padded, 0.0);
-  if (variant == Variant::serial) {
-    forward_substitute(system.shape, system.matrix.data(), right.data(), SerialLane{});
-    back_substitute(system.shape, system.matrix.data(), right.data(), SerialLane{});
-    return right;
-  }
-#pragma omp parallel num_threads(variant == Variant::one_lane ? 1 : 3)
-  {
-    const TeamLanes lanes{omp_get_thread_num(), omp_get_num_threads()};
-    forward_substitute(system.shape, system.matrix.data(), right.data(), lanes);
-    back_substitute(system.shape, system.matrix.data(), right.data(), lanes);
-  }
+  const CondensedShape& shape = system.shape;
+  right.resize(shape.unknowns_padded, 0.0);
+  const auto system_of = [&](int) { return TriangularSystem{system.matrix.data(), shape.stride, right.data()}; };
+  run(variant, [&](const auto& lanes) {
+    forward_substitute({0, 1}, shape.unknowns_padded, system_of, lanes);
+    back_substitute({0, 1}, shape.unknowns_padded, system_of, lanes);
+  });
   return right;
 }
 
@@ -103,26 +119,55 @@ TEST_P(Elimination, CondensesAndSolvesAsLapackDoes) {
   for (const int n : {8, 9, 40, 63, 200})
     for (const int r : {3, 24}) {
       CondensedSystem system = random_system(n, r, n + r);
+      const CondensedShape& shape = system.shape;
       std::vector<double> columns(n * r), right(n);
       for (int i = 0; i < n; ++i) {
         right[i] = i % 7 - 3;
+        system.at(i, shape.right_column()) = right[i];
         for (int m = 0; m < r; ++m) columns[i * r + m] = system.at(i, system.shape.unknowns_padded + m);
       }
       const std::vector<double> loaded = lapack_solve(system, columns, r), solution = lapack_solve(system, right, 1);
       CondensedSystem eliminated = system;
       ASSERT_TRUE(eliminate_by(GetParam(), eliminated));
-      for (int row = 0; row < r; ++row)
+      for (int row = 0; row < r; ++row) {
+        double emitted = 0;
+        for (int i = 0; i < n; ++i) emitted -= system.at(shape.unknowns_padded + row, i) * solution[i];
+        EXPECT_NEAR(eliminated.at(shape.unknowns_padded + row, shape.right_column()), emitted,
+                    1e-11 * largest(solution))
+            << "n " << n << " r " << r;
         for (int column = 0; column < r; ++column) {
           double expected = 0;
-          for (int i = 0; i < n; ++i)
-            expected -= system.at(system.shape.unknowns_padded + row, i) * loaded[i * r + column];
-          EXPECT_NEAR(eliminated.at(system.shape.unknowns_padded + row, system.shape.unknowns_padded + column),
-                      expected, 1e-11 * largest(loaded))
+          for (int i = 0; i < n; ++i) expected -= system.at(shape.unknowns_padded + row, i) * loaded[i * r + column];
+          EXPECT_NEAR(eliminated.at(shape.unknowns_padded + row, shape.unknowns_padded + column), expected,
+                      1e-11 * largest(loaded))
               << "n " << n << " r " << r;
         }
+      }
       const std::vector<double> found = substitute_by(GetParam(), eliminated, right);
       for (int i = 0; i < n; ++i) EXPECT_NEAR(found[i], solution[i], 1e-12 * largest(solution)) << "n " << n;
     }
+}
+
+/// The column of the right-hand side is what the forward substitution makes of it.
+TEST_P(Elimination, CondensesTheRightHandSideWithTheMatrix) {
+  CondensedSystem system = random_system(40, 24, 3);
+  std::vector<double> right(system.shape.unknowns_padded, 0.0);
+  for (int i = 0; i < 40; ++i) system.at(i, system.shape.right_column()) = right[i] = 1 + i % 5;
+  ASSERT_TRUE(eliminate_by(GetParam(), system));
+  const auto system_of = [&](int) { return TriangularSystem{system.matrix.data(), system.shape.stride, right.data()}; };
+  forward_substitute({0, 1}, system.shape.unknowns_padded, system_of, SerialLane{});
+  for (int i = 0; i < 40; ++i) EXPECT_NEAR(system.at(i, system.shape.right_column()), right[i], 1e-12 * largest(right));
+}
+
+/// Elements of a patch have different numbers of ports; each is treated as if it were alone.
+TEST_P(Elimination, TreatsElementsSideBySideAsAlone) {
+  std::vector<CondensedSystem> systems{random_system(40, 24, 4), random_system(40, 12, 5), random_system(40, 0, 6)};
+  std::vector<CondensedSystem> alone = systems;
+  EXPECT_EQ(eliminate_by(GetParam(), systems), std::vector<int>({1, 1, 1}));
+  for (std::size_t e = 0; e < systems.size(); ++e) {
+    ASSERT_TRUE(eliminate_by(GetParam(), alone[e]));
+    EXPECT_EQ(systems[e].matrix, alone[e].matrix);
+  }
 }
 
 TEST_P(Elimination, LeavesThePaddingAnIdentity) {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "common/status.hpp"
-#include "kernels/solve_patch.hpp"
 #include "tests/kernels/cracked_tents.hpp"
 #include "tests/kernels/device_tents.hpp"
+#include "tests/kernels/solved_together.hpp"
 
 namespace tentpole {
 namespace {
@@ -78,27 +78,10 @@ TEST_P(FractureOn, ADeviceEqualsTheHost) {
   }
 }
 
-template <int D>
-TentBatch solved_together(TentBatch batch, int lanes) {
-  const ReferenceTables tables(batch.dimension, batch.degree);
-  std::vector<double> scratch(patch_scratch_size(tables.view(), batch.patches, lanes));
-  const PatchBatch view = batch.view();
-#pragma omp parallel num_threads(lanes)
-  {
-    const TeamLanes team{omp_get_thread_num(), omp_get_num_threads()};
-    StageCycles cycles;
-    for (int patch = 0; patch < view.num_patches; ++patch) {
-      solve_patch<D>(view, tables.view(), patch, scratch.data(), cycles, team);
-      team.synchronize();
-    }
-  }
-  return batch;
-}
-
 TEST_P(FractureOn, LanesThatShareAPatchEqualOneThread) {
   for (int degree = 1; degree <= 3; ++degree) {
     const TentBatch batch = sample(GetParam(), degree, 2), expected = solved(batch);
-    for (const int lanes : {2, 3})
+    for (const int lanes : {1, 2, 7, 32})
       expect_equal(expected, GetParam() == 1 ? solved_together<1>(batch, lanes) : solved_together<2>(batch, lanes));
   }
 }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <lapacke.h>
 
-#include "kernels/post_processing.hpp"
+#include "kernels/principal_stress.hpp"
 
 namespace tentpole {
 namespace {
