@@ -54,7 +54,11 @@ if(TENTPOLE_OFFLOAD)
 
   set(images x86_64-pc-linux-gnu)
   set(image_options)
+  set(gpu_code_options)
   set(TENTPOLE_GPU_ARCH sm_90 CACHE STRING "architecture of the nvptx64 image")
+  # A multiprocessor has 65536 registers: 128 keep 16 warps of a kernel resident. Local variables of a lane are its own
+  # (cuda-mode): OpenMP would otherwise take them from a heap of 8 MB, which they do not fit.
+  set(TENTPOLE_GPU_REGISTERS 128 CACHE STRING "registers of a GPU thread at most")
   set(gpu_runtime ${TENTPOLE_LLVM_LIB}/libomptarget-nvptx-${TENTPOLE_GPU_ARCH}.bc)
   find_program(PTXAS_PROGRAM ptxas HINTS /usr/local/cuda/bin)
   if(TENTPOLE_NVPTX AND PTXAS_PROGRAM)
@@ -67,7 +71,9 @@ if(TENTPOLE_OFFLOAD)
       # Clang warns of every toolkit newer than itself, though it only takes ptxas and libdevice from it. It looks for
       # the device runtime in LIBRARY_PATH alone, so the path is given.
       list(APPEND image_options -Xopenmp-target=nvptx64-nvidia-cuda -march=${TENTPOLE_GPU_ARCH}
-        --cuda-path=${TENTPOLE_CUDA} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime})
+        --cuda-path=${TENTPOLE_CUDA} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime}
+)
+      set(gpu_code_options "-fopenmp-cuda-mode -Xcuda-ptxas -maxrregcount=${TENTPOLE_GPU_REGISTERS}")
     endif()
   endif()
   message(STATUS "Tentpole: device images ${images}")
@@ -76,7 +82,7 @@ if(TENTPOLE_OFFLOAD)
   list(JOIN image_options " " image_options)
   set(image_flags "SHELL:-fopenmp-targets=${image_list} ${image_options}")
   target_compile_definitions(tentpole_offload INTERFACE TENTPOLE_OFFLOAD=1)
-  target_compile_options(tentpole_offload INTERFACE ${image_flags})
+  target_compile_options(tentpole_offload INTERFACE ${image_flags} "SHELL:${gpu_code_options}")
   target_link_options(tentpole_offload INTERFACE ${image_flags} -L${TENTPOLE_LLVM_LIB})
 endif()
 

@@ -50,10 +50,10 @@ inline void find_sources(const PatchBatch& batch, const PatchDescriptor& patch, 
   const ElementDescriptor& element = batch.elements[patch.first_element + e];
   int* own = source + system.place[e] * system.max_ports;
   for (int port = 0; port < system.max_ports; ++port) own[port] = none;
-  for_each_port<D>(*workspace.element(e).op, [&](int facet, int port) {
+  for_each_port<D>(workspace.element(e).op(), [&](int facet, int port) {
     if (element.facet_kind[facet] == FacetKind::fracture) return;
     const int other = element.neighbor[facet] - patch.first_element;
-    for_each_port<D>(*workspace.element(other).op, [&](int other_facet, int other_port) {
+    for_each_port<D>(workspace.element(other).op(), [&](int other_facet, int other_port) {
       if (other_facet == element.neighbor_facet[facet])
         own[port] = system.offset(other) + other_port * system.amplitudes_per_port;
     });
@@ -69,7 +69,7 @@ TENTPOLE_STEP AmplitudeSystem connect_elements(const PatchBatch& batch, const Pa
   const PatchShape shape = workspace.patch_shape();
   const CouplingIntegers own = coupling_integers<D>(workspace);
   share(lanes, patch.num_elements,
-        [&](int e) { find_neighbors<D>(batch, patch, *workspace.element(e).op, e, shape.max_ports, own.neighbor); });
+        [&](int e) { find_neighbors<D>(batch, patch, workspace.element(e).op(), e, shape.max_ports, own.neighbor); });
   lanes.synchronize();
   if (lanes.first() == 0)
     *own.num_unknown_elements = place_elements({patch.num_elements, shape.max_ports, own.neighbor}, own.place);
@@ -92,7 +92,7 @@ TENTPOLE_STEP AmplitudeSystem connect_elements(const PatchBatch& batch, const Pa
     const CondensedShape condensed = workspace.shape(element);
     const int place = own.place[e];
     workspace.responses()[place] =
-        element.matrix + static_cast<long>(condensed.unknowns_padded) * condensed.stride + condensed.unknowns_padded;
+        element.matrix() + static_cast<long>(condensed.unknowns_padded) * condensed.stride + condensed.unknowns_padded;
     own.response_stride[place] = condensed.stride;
     own.num_amplitudes[place] = condensed.num_amplitudes;
     find_sources<D>(batch, patch, workspace, system, e, own.source);

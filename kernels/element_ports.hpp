@@ -1,8 +1,7 @@
 #pragma once
 
 #include "kernels/condensed_element.hpp"
-#include "kernels/element_operator.hpp"
-#include "kernels/simd.hpp"
+#include "kernels/facet_traces.hpp"
 
 namespace tentpole {
 
@@ -51,7 +50,8 @@ inline void assemble_port(const VerticalFacet<D>& facet, const PortFactors<D>& f
   const int first = shape.unknowns_padded + facet.port * shape.amplitudes_per_port;
   for (int i = 0; i < D; ++i) {
     const int unknown = i * num_basis + a;
-    double* row = matrix + static_cast<long>(unknown) * shape.stride + first;
+    double *row = matrix + static_cast<long>(unknown) * shape.stride + first,
+           *column = matrix + static_cast<long>(first) * shape.stride + unknown;
     for (int c = 0; c < D; ++c)
       for (int m = 0; m < num_modes; m += 4) {
         Vector4 in{}, out{};
@@ -60,11 +60,8 @@ inline void assemble_port(const VerticalFacet<D>& facet, const PortFactors<D>& f
           in += factors.incoming[c][i][l] * table;
           out += factors.outgoing[c][i][l] * table;
         }
-        const int count = num_modes - m < 4 ? num_modes - m : 4;
-        for (int s = 0; s < count; ++s) {
-          row[c * num_modes + m + s] = in[s];
-          matrix[static_cast<long>(first + c * num_modes + m + s) * shape.stride + unknown] = out[s];
-        }
+        store_modes(in, num_modes, m, row + c * num_modes);
+        store_modes(out, num_modes, m, column + c * num_modes * static_cast<long>(shape.stride), shape.stride);
       }
   }
 }

@@ -23,7 +23,7 @@ TENTPOLE_STEP void solution_gradients(const PatchBatch& batch, const PatchWorksp
     const int e = range.first + index / num_facets, facet = index % num_facets;
     const ElementWorkspace<D> own = workspace.element(e);
     const int code = facet_table(batch.elements[workspace.patch.first_element + e], D, facet);
-    return [&tables, derivative = tables.facet_derivative(code), solution = own.solution,
+    return [&tables, derivative = tables.facet_derivative(code), solution = own.solution(),
             gradient = own.gradient(facet)](int block) {
       gradient_block<D>(tables, derivative, solution, gradient, block);
     };
@@ -37,19 +37,19 @@ inline void volume_residual(const PatchWorkspace<D>& workspace, const ElementWor
                             const double* body_force, bool has_solution, int q) {
   constexpr int d = D + 1;
   const ReferenceTablesView& tables = workspace.tables;
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   const int num_basis = tables.num_basis, num_modes = tables.num_volume_modes;
   if (!body_force && !has_solution) return;
   for (int i = 0; i < D; ++i)
-    own.curvature[i * num_modes + q] = body_force ? op.determinant * body_force[i * num_modes + q] : 0;
+    own.curvature()[i * num_modes + q] = body_force ? op.determinant * body_force[i * num_modes + q] : 0;
   if (!has_solution || q >= tables.num_curvature_modes) return;
   for (int l = 0, pair = 0; l < d; ++l)
     for (int k = l; k < d; ++k, ++pair) {
       const double* table =
           tables.curvature + (static_cast<long>(pair) * tables.num_curvature_modes + q) * tables.basis_stride;
       for (int j = 0; j < D; ++j) {
-        const double second = op.determinant * dot(table, own.solution + j * num_basis, num_basis);
-        for (int i = 0; i < D; ++i) own.curvature[i * num_modes + q] -= volume_weight<D>(op, i, j, l, k) * second;
+        const double second = op.determinant * dot(table, own.solution() + j * num_basis, num_basis);
+        for (int i = 0; i < D; ++i) own.curvature()[i * num_modes + q] -= volume_weight<D>(op, i, j, l, k) * second;
       }
     }
 }
@@ -60,7 +60,7 @@ template <int D>
 inline void rigid_motion(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own, const double* incoming,
                          int facet) {
   constexpr int d = D + 1, num_fields = D + num_symmetric(D), num_rigid = ElementOperator<D>::num_rigid;
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   const int num_modes = workspace.tables.num_facet_modes, per_port = workspace.patch_shape().amplitudes_per_port;
   double amount[num_rigid] = {};
   for (int f = 0; f < op.num_rigid_facets && incoming; ++f)
@@ -68,7 +68,7 @@ inline void rigid_motion(const PatchWorkspace<D>& workspace, const ElementWorksp
   for (int f = 0; f < op.num_inflow; ++f)
     for (int r = 0; r < num_rigid; ++r)
       amount[r] +=
-          rigid_amount<D>(op.rigid[f], r, own.inflow_data + f * workspace.inflow_block() + num_fields * num_modes);
+          rigid_amount<D>(op.rigid[f], r, own.inflow_data() + f * workspace.inflow_block() + num_fields * num_modes);
   for (int f = 0; f < op.num_inclined && incoming; ++f)
     if (op.inclined[f].rigid != none) {
       const double* slots = incoming + op.inclined[f].port * per_port + op.inclined[f].num_waves * num_modes;
@@ -86,11 +86,11 @@ inline void rigid_motion(const PatchWorkspace<D>& workspace, const ElementWorksp
 template <int D>
 inline void flux_through_facet(const PatchBatch& batch, const PatchWorkspace<D>& workspace,
                                const ElementWorkspace<D>& own, const double* incoming, int f, int m) {
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   const int per_port = workspace.patch_shape().amplitudes_per_port, vertical = f - op.num_inflow,
             inclined = vertical - op.num_vertical;
   if (vertical < 0) {
-    inflow_residual<D>(workspace, own, op.inflow[f], own.inflow_data + f * workspace.inflow_block(),
+    inflow_residual<D>(workspace, own, op.inflow[f], own.inflow_data() + f * workspace.inflow_block(),
                        incoming != nullptr, m);
   } else if (inclined < 0) {
     const VerticalFacet<D>& facet = op.vertical[vertical];
@@ -123,7 +123,7 @@ template <int D>
 inline ResidualTerms<D> residual_terms(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own,
                                        bool has_body_force, bool has_solution) {
   const ReferenceTablesView& tables = workspace.tables;
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   ResidualTerms<D> terms;
   terms.num_volume_modes = has_body_force ? tables.num_volume_modes : (has_solution ? tables.num_curvature_modes : 0);
   terms.num_facets = 0;
@@ -150,25 +150,25 @@ inline void test_residual(const ReferenceTablesView& tables, const ElementWorksp
   for (int l = 0; l < d && terms.num_volume_modes > 0; ++l) {
     const double* table = tables.volume_derivative + static_cast<long>(l * num_basis + a) * num_modes;
     for (int i = 0; i < D; ++i)
-      residual[i] += own.op->time_slope(l) * dot(table, own.curvature + i * num_modes, terms.num_volume_modes);
+      residual[i] += own.op().time_slope(l) * dot(table, own.curvature() + i * num_modes, terms.num_volume_modes);
   }
   for (int r = 0; r < terms.num_rigid; ++r)
     for (int i = 0; i < D; ++i)
       for (int m = 0; m < d; ++m) residual[i] += terms.motion[(r * D + i) * d + m] * terms.value[r][a * d + m];
-  for (int i = 0; i < D; ++i) own.right[i * num_basis + a] = residual[i];
+  for (int i = 0; i < D; ++i) own.right()[i * num_basis + a] = residual[i];
 }
 
 /// Balance of facet f, counted as in flux_through_facet.
 template <int D>
 inline void balance_facet(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own, int f) {
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   const int vertical = f - op.num_inflow, inclined = vertical - op.num_vertical;
   if (vertical < 0) {
-    own.balance[f] = inflow_balance<D>(workspace, own, op.inflow[f]);
+    own.balance()[f] = inflow_balance<D>(workspace, own, op.inflow[f]);
   } else if (inclined < 0) {
-    own.balance[f] = vertical_balance<D>(workspace, own, op.vertical[vertical]);
+    own.balance()[f] = vertical_balance<D>(workspace, own, op.vertical[vertical]);
   } else if (inclined < op.num_inclined) {
-    own.balance[f] = inclined_balance<D>(workspace, own, op.inclined[inclined]);
+    own.balance()[f] = inclined_balance<D>(workspace, own, op.inclined[inclined]);
   }
 }
 
@@ -192,9 +192,9 @@ TENTPOLE_STEP void element_residuals(const PatchBatch& batch, const PatchWorkspa
     share(lanes, range.count, num_facets * D * d, [&](int e) {
       return [&tables, own = workspace.element(range.first + e)](int item) {
         const int f = item / (D * d);
-        if (f < own.op->num_rigid_facets)
+        if (f < own.op().num_rigid_facets)
           own.displacement(f)[item % (D * d)] =
-              displacement_mode<D>(tables, own.op->rigid[f].facet, own.solution, item % (D * d));
+              displacement_mode<D>(tables, own.op().rigid[f].facet, own.solution(), item % (D * d));
       };
     });
   lanes.synchronize();
@@ -205,7 +205,7 @@ TENTPOLE_STEP void element_residuals(const PatchBatch& batch, const PatchWorkspa
   });
   share(lanes, range.count, num_facets, [&](int e) {
     return [&workspace, own = workspace.element(range.first + e), waves = incoming(range.first + e)](int f) {
-      if (f < own.op->num_rigid_facets) rigid_motion<D>(workspace, own, waves, f);
+      if (f < own.op().num_rigid_facets) rigid_motion<D>(workspace, own, waves, f);
     };
   });
   lanes.synchronize();
@@ -216,7 +216,7 @@ TENTPOLE_STEP void element_residuals(const PatchBatch& batch, const PatchWorkspa
     return [&tables, own, terms](int a) { test_residual<D>(tables, own, terms, a); };
   });
   share(lanes, range.count, workspace.largest_shape().unknowns_padded - tables.num_unknowns, [&](int e) {
-    double* padding = workspace.element(range.first + e).right + tables.num_unknowns;
+    double* padding = workspace.element(range.first + e).right() + tables.num_unknowns;
     return [padding](int row) { padding[row] = 0; };
   });
   if (has_solution)

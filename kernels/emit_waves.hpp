@@ -53,11 +53,11 @@ template <int D>
 inline void emit_waves(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own, double* outgoing,
                        int block) {
   const ReferenceTablesView& tables = workspace.tables;
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   const int per_port = workspace.patch_shape().amplitudes_per_port;
   if (block == num_mode_blocks(tables)) {
     for (int f = 0; f < op.num_inclined; ++f)
-      emit_rigid_moments<D>(tables, op.inclined[f], own.solution, outgoing + op.inclined[f].port * per_port);
+      emit_rigid_moments<D>(tables, op.inclined[f], own.solution(), outgoing + op.inclined[f].port * per_port);
     return;
   }
   for (int f = 0; f < op.num_vertical; ++f)

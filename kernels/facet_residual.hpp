@@ -43,12 +43,13 @@ inline void inflow_residual(const PatchWorkspace<D>& workspace, const ElementWor
   constexpr int num_fields = D + num_symmetric(D);
   const int stride = workspace.tables.facet_stride, num_modes = workspace.tables.num_facet_modes;
   Vector4 jump[num_fields] = {};
-  if (has_solution) velocity_and_strain<D>(&own.op->inverse_jacobian[0][0], own.gradient(facet.facet), stride, m, jump);
+  if (has_solution)
+    velocity_and_strain<D>(&own.op().inverse_jacobian[0][0], own.gradient(facet.facet), stride, m, jump);
   for (int field = 0; field < num_fields; ++field) {
     jump[field] = load_modes(data + field * num_modes, num_modes, m) - jump[field];
     store4(own.trace(facet.facet) + field * stride + m, jump[field]);
   }
-  inflow_flux<D>(*own.op, facet, jump, stride, m, own.flux(facet.facet));
+  inflow_flux<D>(own.op(), facet, jump, stride, m, own.flux(facet.facet));
 }
 
 /// Flux of the sum over incoming waves of wave(what) (amplitude - wave(w)), four modes of one inclined facet; the jumps
@@ -135,7 +136,7 @@ inline double rigid_amount(const RigidFacet<D>& rigid, int r, const double* disp
 template <int D>
 inline FacetBalance inflow_balance(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own,
                                    const FrontFacet<D>& facet) {
-  return {-facet_energy<D>(*own.op, facet.covector, own.trace(facet.facet), workspace.tables.facet_stride,
+  return {-facet_energy<D>(own.op(), facet.covector, own.trace(facet.facet), workspace.tables.facet_stride,
                            workspace.tables.num_facet_modes),
           0};
 }

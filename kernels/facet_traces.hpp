@@ -13,17 +13,20 @@ inline int num_mode_blocks(const ReferenceTablesView& tables) {
   return tables.facet_stride / 4;
 }
 
-/// Modes m .. m + 3 of an array of num_modes; zero where it ends.
+/// Modes m .. m + 3 of an array of num_modes; zero where it ends. (Entries of a vector are named by constants: others
+/// go through the stack of a GPU.)
 inline Vector4 load_modes(const double* modes, int num_modes, int m) {
   if (m + 4 <= num_modes) return load4(modes + m);
   Vector4 loaded{};
-  for (int s = 0; m + s < num_modes; ++s) loaded[s] = modes[m + s];
+  for (int s = 0; s < 3; ++s)
+    if (m + s < num_modes) loaded[s] = modes[m + s];
   return loaded;
 }
-/// Stores those of the four modes that the array has.
-inline void store_modes(Vector4 values, int num_modes, int m, double* modes) {
-  if (m + 4 <= num_modes) return store4(modes + m, values);
-  for (int s = 0; m + s < num_modes; ++s) modes[m + s] = values[s];
+/// Stores those of the four modes that the array has, `step` apart.
+inline void store_modes(Vector4 values, int num_modes, int m, double* modes, long step = 1) {
+  if (step == 1 && m + 4 <= num_modes) return store4(modes + m, values);
+  for (int s = 0; s < 4; ++s)
+    if (m + s < num_modes) modes[(m + s) * step] = values[s];
 }
 
 /// Gradient modes G[i][l][m] = sum_a c[i, a] <d_l phi_a psi_m> of four modes: block = (i, l, m / 4), the last fastest.

@@ -74,7 +74,7 @@ inline void link_fracture(const PatchBatch& batch, const PatchWorkspace<D>& work
   link.intact = own.intact;
   for (int side = 0; side < 2; ++side) {
     const int element = facet.element[side] - patch.first_element;
-    const ElementOperator<D>& op = *workspace.element(element).op;
+    const ElementOperator<D>& op = workspace.element(element).op();
     for (int f = 0; f < op.num_vertical; ++f) {
       const VerticalFacet<D>& vertical = op.vertical[f];
       if (vertical.facet != facet.facet[side]) continue;

@@ -12,13 +12,13 @@ template <int D, class Lanes>
 TENTPOLE_STEP Status build_operators(const PatchBatch& batch, const PatchWorkspace<D>& workspace, const Lanes& lanes) {
   const PatchDescriptor& patch = workspace.patch;
   share(lanes, patch.num_elements, [&](int e) {
-    ElementOperator<D>& op = *workspace.element(e).op;
+    ElementOperator<D>& op = workspace.element(e).op();
     op.status = build_element_operator<D>(batch, workspace.tables, patch.is_general != 0,
                                           batch.elements[patch.first_element + e], op);
   });
   lanes.synchronize();
   Status status = Status::ok;
-  for (int e = 0; e < patch.num_elements && status == Status::ok; ++e) status = workspace.element(e).op->status;
+  for (int e = 0; e < patch.num_elements && status == Status::ok; ++e) status = workspace.element(e).op().status;
   return status;
 }
 
@@ -27,10 +27,10 @@ template <int D>
 inline void find_receivers(const PatchBatch& batch, const PatchWorkspace<D>& workspace, int e) {
   const PatchDescriptor& patch = workspace.patch;
   const ElementDescriptor& element = batch.elements[patch.first_element + e];
-  ElementOperator<D>& op = *workspace.element(e).op;
+  ElementOperator<D>& op = workspace.element(e).op();
   for (int f = 0; f < op.num_inclined; ++f) {
     const int facet = op.inclined[f].facet;
-    const ElementOperator<D>& other = *workspace.element(element.neighbor[facet] - patch.first_element).op;
+    const ElementOperator<D>& other = workspace.element(element.neighbor[facet] - patch.first_element).op();
     op.inclined[f].receiver = nullptr;
     for (int g = 0; g < other.num_inclined; ++g)
       if (other.inclined[g].facet == element.neighbor_facet[facet] && other.inclined[g].rigid != none)
@@ -54,10 +54,10 @@ inline InflowSource<D> inflow_source(const PatchBatch& batch, const PatchWorkspa
   const ElementDescriptor& element = batch.elements[workspace.patch.first_element + e];
   const ElementWorkspace<D> own = workspace.element(e);
   InflowSource<D> source{};
-  if (f >= own.op->num_inflow) return source;
-  const int facet = own.op->inflow[f].facet;
+  if (f >= own.op().num_inflow) return source;
+  const int facet = own.op().inflow[f].facet;
   const long slot = element.source_slot[facet];
-  source.data = own.inflow_data + f * workspace.inflow_block();
+  source.data = own.inflow_data() + f * workspace.inflow_block();
   source.gradient = own.gradient(facet);
   source.is_given = slot == none;
   if (source.is_given) {
@@ -113,19 +113,19 @@ TENTPOLE_STEP void prepare_elements(const PatchBatch& batch, const PatchWorkspac
     share(lanes, range.count, [&](int e) { find_receivers<D>(batch, workspace, range.first + e); });
   share(lanes, range.count, num_facets, [&](int e) {
     return [&tables, own = workspace.element(range.first + e)](int f) {
-      if (f < num_weighted_facets(*own.op)) build_facet_weights<D>(*own.op, tables, f, *own.weights);
-      if (f < own.op->num_vertical && own.op->vertical[f].port != none)
-        build_port_factors<D>(own.op->vertical[f], own.ports[f]);
+      if (f < num_weighted_facets(own.op())) build_facet_weights<D>(own.op(), tables, f, own.weights());
+      if (f < own.op().num_vertical && own.op().vertical[f].port != none)
+        build_port_factors<D>(own.op().vertical[f], own.ports()[f]);
     };
   });
   share(lanes, range.count, tables.num_basis, [&](int e) {
     return [&tables, own = workspace.element(range.first + e)](int a) {
-      build_test_factors<D>(*own.op, tables, a, own.factors);
+      build_test_factors<D>(own.op(), tables, a, VolumeFactors::at(own.factors(), tables));
     };
   });
   share(lanes, range.count, D * D, [&](int e) {
     return [&tables, own = workspace.element(range.first + e)](int component) {
-      build_curvature_factor<D>(*own.op, tables, component, own.factors);
+      build_curvature_factor<D>(own.op(), tables, component, VolumeFactors::at(own.factors(), tables));
     };
   });
   lanes.synchronize();
@@ -144,31 +144,35 @@ TENTPOLE_STEP void assemble_matrices(const PatchWorkspace<D>& workspace, Element
   const ReferenceTablesView& tables = workspace.tables;
   share(lanes, range.count, workspace.largest_shape().rows, [&](int e) {
     const ElementWorkspace<D> own = workspace.element(range.first + e);
-    return [shape = workspace.shape(own), matrix = own.matrix](int row) {
+    return [shape = workspace.shape(own), matrix = own.matrix()](int row) {
       if (row < shape.rows) clear_padding(shape, matrix, row);
     };
   });
   lanes.synchronize();
   share(lanes, range.count, tables.num_basis, [&](int e) {
     const ElementWorkspace<D> own = workspace.element(range.first + e);
-    const OwnMatrix<D> matrix{tables,      *own.weights, num_weighted_facets(*own.op),
-                              own.factors, own.matrix,   workspace.shape(own).stride};
+    const OwnMatrix<D> matrix{tables,
+                              own.weights(),
+                              num_weighted_facets(own.op()),
+                              VolumeFactors::at(own.factors(), tables),
+                              own.matrix(),
+                              workspace.shape(own).stride};
     return [matrix](int a) { assemble_own_rows<D>(matrix, a); };
   });
   const int max_ports = workspace.patch_shape().max_ports;
   share(lanes, range.count * max_ports, tables.num_basis, [&](int index) {
     const ElementWorkspace<D> own = workspace.element(range.first + index / max_ports);
     const int f = index % max_ports;
-    const bool is_port = f < own.op->num_vertical && own.op->vertical[f].port != none;
-    return [=, &tables, &facet = own.op->vertical[f], &factors = own.ports[f], shape = workspace.shape(own)](int a) {
-      if (is_port) assemble_port<D>(facet, factors, tables, shape, a, own.matrix);
+    const bool is_port = f < own.op().num_vertical && own.op().vertical[f].port != none;
+    return [=, &tables, &facet = own.op().vertical[f], &factors = own.ports()[f], shape = workspace.shape(own)](int a) {
+      if (is_port) assemble_port<D>(facet, factors, tables, shape, a, own.matrix());
     };
   });
   if (workspace.patch.is_general)
     share(lanes, range.count, tables.num_basis, [&](int e) {
       return [&tables, own = workspace.element(range.first + e), &workspace](int a) {
-        for (int f = 0; f < own.op->num_inclined; ++f)
-          assemble_inclined_port<D>(*own.op, own.op->inclined[f], tables, workspace.shape(own), a, own.matrix);
+        for (int f = 0; f < own.op().num_inclined; ++f)
+          assemble_inclined_port<D>(own.op(), own.op().inclined[f], tables, workspace.shape(own), a, own.matrix());
       };
     });
   lanes.synchronize();
@@ -185,12 +189,12 @@ inline void assemble_elements(const PatchBatch& batch, const PatchWorkspace<D>& 
     const ElementWorkspace<D> own = workspace.element(range.first + e);
     return [own, shape = workspace.shape(own)](int row) {
       if (row >= shape.rows) return;
-      double* entries = own.matrix + static_cast<long>(row) * shape.stride;
+      double* entries = own.matrix() + static_cast<long>(row) * shape.stride;
       Vector4 right{};
       if (row < shape.unknowns_padded) {
-        right[0] = own.right[row];
-        own.diagonal[row] = entries[row];
-        own.solution[row] = 0;
+        right[0] = own.right()[row];
+        own.diagonal()[row] = entries[row];
+        own.solution()[row] = 0;
       }
       store4(entries + shape.right_column(), right);
     };

@@ -1,11 +1,7 @@
 #include "kernels/patch_solver.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <vector>
-
-#include <omp.h>
 
 #include "kernels/solve_patch.hpp"
 #include "kernels/with_dimension.hpp"
@@ -13,13 +9,7 @@
 namespace tentpole {
 namespace {
 
-#ifdef __NVPTX__
-constexpr bool is_gpu_image = true;
-#else
-constexpr bool is_gpu_image = false;
-#endif
-
-/// One worker's share of a launch. A GPU image holds the code for teams alone, which halves it.
+/// One worker's share of a launch.
 template <int D, class Lanes>
 inline void run_patch(const PatchSolverTask& task, int patch, int worker, const Lanes& lanes) {
   if constexpr (is_gpu_image && !Lanes::cooperative) return __builtin_trap();
@@ -48,8 +38,7 @@ void run_on_cpu_device(const PatchSolverTask task, int device_number) {
   for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
 }
 
-/// Teams that stay with their scratch and take every num_teams-th patch. `parallel` directly inside `teams`, and no
-/// statement between them, makes all lanes run from the start (SPMD): no state machine, no shared stack, no heap.
+// Teams that stay with their scratch and take every num_teams-th patch; SPMD as loop_on_gpu.
 template <int D>
 void run_on_gpu(const PatchSolverTask task, int device_number) {
   const int num_patches = task.batch.num_patches, teams = task.shape.workers, lanes = task.shape.lanes;
@@ -95,8 +84,7 @@ void solve_patches_device([[maybe_unused]] const PatchSolverTask& task, [[maybe_
       run_on_gpu<dimension()>(task, device_number);
   });
 #else
-  std::fputs("solve_patches_device: this build has no device code (preset host)\n", stderr);
-  std::abort();
+  refuse_launch("solve_patches_device");
 #endif
 }
 

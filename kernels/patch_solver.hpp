@@ -3,26 +3,20 @@
 #include <span>
 
 #include "kernels/cycle_counter.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/patch_batch.hpp"
 #include "kernels/reference_tables.hpp"
 
 namespace tentpole {
 
-/// How a device runs patches. `workers` are threads that each solve whole patches (CPU, virtual device), or teams of
-/// `lanes` threads that share one patch (GPU).
-struct PatchSolverShape {
-  int workers = 1;
-  int lanes = 1;
-};
-
 /// Everything one launch needs; all pointers in the memory of the device that runs it.
 struct PatchSolverTask {
   PatchBatch batch;
   ReferenceTablesView tables;
-  double* scratch;      ///< workers * scratch_stride doubles
+  double* scratch;      ///< [workers][scratch_stride]
   long scratch_stride;  ///< >= the largest patch_scratch_size of the batch
   StageCycles* cycles;  ///< [workers], added to
-  PatchSolverShape shape;
+  LaunchShape shape;
 };
 
 /// Doubles of scratch one worker needs for this patch, or for any of these.

@@ -45,7 +45,7 @@ inline void outflow_trace(const PatchWorkspace<D>& workspace, const ElementWorks
   constexpr int num_fields = D + num_symmetric(D);
   const int stride = workspace.tables.facet_stride;
   Vector4 trace[num_fields];
-  velocity_and_strain<D>(&own.op->inverse_jacobian[0][0], own.gradient(facet), stride, m, trace);
+  velocity_and_strain<D>(&own.op().inverse_jacobian[0][0], own.gradient(facet), stride, m, trace);
   for (int field = 0; field < num_fields; ++field) store4(own.trace(facet) + field * stride + m, trace[field]);
 }
 
@@ -53,11 +53,11 @@ inline void outflow_trace(const PatchWorkspace<D>& workspace, const ElementWorks
 template <int D>
 inline void measure_front_facet(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own, int f) {
   const ReferenceTablesView& tables = workspace.tables;
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   const int num_modes = tables.num_facet_modes, outflow = f - op.num_inflow;
-  FrontFacetRecord& record = own.front[f];
+  FrontFacetRecord& record = own.front()[f];
   if (outflow < 0) {
-    record.energy = -facet_energy<D>(op, op.inflow[f].covector, own.inflow_data + f * workspace.inflow_block(),
+    record.energy = -facet_energy<D>(op, op.inflow[f].covector, own.inflow_data() + f * workspace.inflow_block(),
                                      num_modes, num_modes);
   } else if (outflow < op.num_outflow) {
     const double* trace = own.trace(op.outflow[outflow].facet);
@@ -80,21 +80,21 @@ inline void record_element(const PatchBatch& batch, const PatchWorkspace<D>& wor
   const ElementDescriptor& element = batch.elements[workspace.patch.first_element + e];
   ElementRecord& record = batch.records[workspace.patch.first_element + e];
   const ElementWorkspace<D> own = workspace.element(e);
-  const ElementOperator<D>& op = *own.op;
+  const ElementOperator<D>& op = own.op();
   record.inflow_energy = record.initial_energy = record.outflow_energy = record.max_principal_stress = 0;
   for (int f = 0; f < op.num_inflow; ++f) {
-    const double energy = own.front[f].energy;
+    const double energy = own.front()[f].energy;
     record.inflow_energy += energy;
     if (element.source_slot[op.inflow[f].facet] == none) record.initial_energy += energy;
   }
   for (int f = 0; f < op.num_outflow; ++f) {
-    const FrontFacetRecord& facet = own.front[op.num_inflow + f];
+    const FrontFacetRecord& facet = own.front()[op.num_inflow + f];
     record.outflow_energy += facet.energy;
     record.max_principal_stress =
         f == 0 ? facet.principal_stress : fmax(record.max_principal_stress, facet.principal_stress);
   }
   const double* body_force = body_force_block(batch, element);
-  if (body_force) record.external_work += body_force_work<D>(op, workspace.tables, own.solution, body_force);
+  if (body_force) record.external_work += body_force_work<D>(op, workspace.tables, own.solution(), body_force);
   record.residual = outcome.residual;
   record.status = static_cast<int>(outcome.status);
   record.num_iterations = outcome.iterations;
@@ -112,21 +112,21 @@ TENTPOLE_STEP void post_process(const PatchBatch& batch, const PatchWorkspace<D>
     };
     share(lanes, range.count, tables.num_unknowns, [&](int e) {
       double* coefficients = batch.coefficients + slot_of(e) * tables.num_unknowns;
-      return [=, solution = workspace.element(range.first + e).solution](int unknown) {
+      return [=, solution = workspace.element(range.first + e).solution()](int unknown) {
         coefficients[unknown] = solution[unknown];
       };
     });
     share(lanes, range.count, d * d, [&](int e) {
       double* inverse_jacobian = batch.inverse_jacobians + slot_of(e) * d * d;
-      return [=, op = workspace.element(range.first + e).op](int entry) {
-        inverse_jacobian[entry] = op->inverse_jacobian[entry / d][entry % d];
+      return [=, &op = workspace.element(range.first + e).op()](int entry) {
+        inverse_jacobian[entry] = op.inverse_jacobian[entry / d][entry % d];
       };
     });
     share(lanes, range.count, num_facets * num_mode_blocks(tables), [&](int e) {
       return [&, own = workspace.element(range.first + e)](int item) {
         const int f = item % num_facets;
-        if (f < own.op->num_outflow)
-          outflow_trace<D>(workspace, own, own.op->outflow[f].facet, 4 * (item / num_facets));
+        if (f < own.op().num_outflow)
+          outflow_trace<D>(workspace, own, own.op().outflow[f].facet, 4 * (item / num_facets));
       };
     });
     lanes.synchronize();

@@ -1,8 +1,5 @@
 #include "kernels/slice_energies.hpp"
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "kernels/slice_integral.hpp"
 #include "kernels/with_dimension.hpp"
 
@@ -31,49 +28,32 @@ inline bool is_first_of_element(const SliceEnergyTask& task, int request) {
   return request == 0 || task.requests[request - 1].element != task.requests[request].element;
 }
 
-template <int D>
-void run_on_host(const SliceEnergyTask& task) {
-#pragma omp parallel for schedule(monotonic : dynamic, 16) num_threads(task.shape.workers)
-  for (int request = 0; request < task.num_requests; ++request)
-    if (is_first_of_element(task, request)) run_element<D>(task, request);
-}
+constexpr int chunk = 16;  // requests that a thread takes at a time
 
-#ifdef TENTPOLE_OFFLOAD
+/// All requests of an element, by whoever meets the first of them.
 template <int D>
-void run_on_cpu_device(const SliceEnergyTask task, int device_number) {
-  const int num_requests = task.num_requests, workers = task.shape.workers;
-#pragma omp target teams num_teams(1) device(device_number) firstprivate(task)
-#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, 16)
-  for (int request = 0; request < num_requests; ++request)
+struct ElementSlices {
+  SliceEnergyTask task;
+  void operator()(int request) const {
     if (is_first_of_element(task, request)) run_element<D>(task, request);
-}
-
-template <int D>
-void run_on_gpu(const SliceEnergyTask task, int device_number) {
-  const int num_requests = task.num_requests;
-#pragma omp target teams distribute parallel for device(device_number) firstprivate(task)
-  for (int request = 0; request < num_requests; ++request)
-    if (is_first_of_element(task, request)) run_element<D>(task, request);
-}
-#endif
+  }
+};
 
 }  // namespace
 
 void slice_energies_host(const SliceEnergyTask& task) {
-  with_dimension(task.tables.dimension, [&](auto dimension) { run_on_host<dimension()>(task); });
+  with_dimension(task.tables.dimension, [&](auto dimension) {
+    loop_on_host(task.shape, task.num_requests, chunk, ElementSlices<dimension()>{task});
+  });
 }
 
 void slice_energies_device([[maybe_unused]] const SliceEnergyTask& task, [[maybe_unused]] int device_number) {
 #ifdef TENTPOLE_OFFLOAD
   with_dimension(task.tables.dimension, [&](auto dimension) {
-    if (task.shape.lanes == 1)
-      run_on_cpu_device<dimension()>(task, device_number);
-    else
-      run_on_gpu<dimension()>(task, device_number);
+    loop_on_device(task.shape, task.num_requests, chunk, ElementSlices<dimension()>{task}, device_number);
   });
 #else
-  std::fputs("slice_energies_device: this build has no device code (preset host)\n", stderr);
-  std::abort();
+  refuse_launch("slice_energies_device");
 #endif
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "kernels/launch.hpp"
 #include "kernels/patch_batch.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/reference_tables.hpp"
 #include "kernels/slice_tables.hpp"
 
 namespace tentpole {
@@ -20,7 +21,7 @@ struct SliceEnergyTask {
   int num_requests;
   const SliceRequest* requests;  ///< [num_requests]; requests of one element follow each other and share work
   double* energies;              ///< [num_requests][2]: kinetic int 1/2 rho v.v, strain int 1/2 sigma:E, scaled
-  PatchSolverShape shape;
+  LaunchShape shape;
 };
 
 /// Energies of the displacement polynomials on the slices, exact but for rounding (degree 2 k - 2 on straight slices).

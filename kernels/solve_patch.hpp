@@ -30,12 +30,12 @@ TENTPOLE_STEP void condense_elements(const PatchWorkspace<D>& workspace, Element
   const CondensedShape largest = workspace.largest_shape();
   const auto system_of = [&](int e) {
     const ElementWorkspace<D> own = workspace.element(e);
-    return EliminatedSystem{own.matrix, workspace.shape(own), own.inverse_upper, own.is_regular};
+    return EliminatedSystem{own.matrix(), workspace.shape(own), own.inverse_upper(), own.is_regular()};
   };
   eliminate_elements(range, largest, system_of, workspace.packed(), lanes);
   share(lanes, range.count, largest.amplitudes_padded, [&](int e) {
     const ElementWorkspace<D> own = workspace.element(range.first + e);
-    return [shape = workspace.shape(own), matrix = own.matrix](int row) {
+    return [shape = workspace.shape(own), matrix = own.matrix()](int row) {
       if (row < shape.amplitudes_padded) transpose_response(shape, matrix, row);
     };
   });
@@ -45,7 +45,7 @@ TENTPOLE_STEP void condense_elements(const PatchWorkspace<D>& workspace, Element
 template <int D>
 inline Status condensation_status(const PatchWorkspace<D>& workspace) {
   for (int e = 0; e < workspace.patch.num_elements; ++e)
-    if (!*workspace.element(e).is_regular) return Status::singular_pivot;
+    if (!*workspace.element(e).is_regular()) return Status::singular_pivot;
   return Status::ok;
 }
 
@@ -57,8 +57,8 @@ inline void take_condensed_sides(const PatchWorkspace<D>& workspace, const Ampli
   share(lanes, system.num_elements, workspace.largest_shape().rows, [&](int e) {
     const ElementWorkspace<D> own = workspace.element(e);
     const CondensedShape shape = workspace.shape(own);
-    const double* column = own.matrix + shape.right_column();
-    double *right = own.right, *outgoing = workspace.outgoing() + system.offset(e);
+    const double* column = own.matrix() + shape.right_column();
+    double *right = own.right(), *outgoing = workspace.outgoing() + system.offset(e);
     return [=](int row) {
       const int amplitude = row - shape.unknowns_padded;
       if (amplitude < 0)
@@ -74,7 +74,7 @@ inline void take_condensed_sides(const PatchWorkspace<D>& workspace, const Ampli
 template <int D>
 inline TriangularSystem triangular_system(const PatchWorkspace<D>& workspace, int e) {
   const ElementWorkspace<D> own = workspace.element(e);
-  return {own.matrix, workspace.shape(own).stride, own.right};
+  return {own.matrix(), workspace.shape(own).stride, own.right()};
 }
 
 /// The same for the residuals held in `right`: right = L^-1 right, t = (O^T U^-1) right.
@@ -91,7 +91,7 @@ TENTPOLE_STEP void condense_residuals(const PatchWorkspace<D>& workspace, const 
       double* outgoing = workspace.outgoing() + system.offset(range.first + e);
       return [=](int row) {
         if (row < shape.num_amplitudes)
-          outgoing[row] = dot(own.matrix + static_cast<long>(n + row) * shape.stride, own.right, n);
+          outgoing[row] = dot(own.matrix() + static_cast<long>(n + row) * shape.stride, own.right(), n);
       };
     });
   });
@@ -109,14 +109,15 @@ TENTPOLE_STEP void recover_solutions(const PatchWorkspace<D>& workspace, const A
       const CondensedShape shape = workspace.shape(own);
       const double* incoming = workspace.incoming() + system.offset(range.first + e);
       return [=](int row) {
-        own.right[row] += dot(own.matrix + static_cast<long>(row) * shape.stride + n, incoming, shape.num_amplitudes);
+        own.right()[row] +=
+            dot(own.matrix() + static_cast<long>(row) * shape.stride + n, incoming, shape.num_amplitudes);
       };
     });
     lanes.synchronize();
     back_substitute(
         range, n, [&](int e) { return triangular_system<D>(workspace, e); }, lanes);
     share(lanes, range.count, n, [&](int e) {
-      return [own = workspace.element(range.first + e)](int row) { own.solution[row] += own.right[row]; };
+      return [own = workspace.element(range.first + e)](int row) { own.solution()[row] += own.right()[row]; };
     });
   });
   lanes.synchronize();
@@ -177,8 +178,8 @@ TENTPOLE_STEP ScaledNorms scaled_norms(const PatchWorkspace<D>& workspace, doubl
   ScaledNorms norms;
   share(lanes, workspace.patch.num_elements, workspace.tables.num_unknowns, [&](int e) {
     return [&norms, own = workspace.element(e)](int unknown) {
-      const double root = sqrt(own.diagonal[unknown]);
-      norms.include({fabs(own.right[unknown]) / root, fabs(own.solution[unknown]) * root});
+      const double root = sqrt(own.diagonal()[unknown]);
+      norms.include({fabs(own.right()[unknown]) / root, fabs(own.solution()[unknown]) * root});
     };
   });
   if constexpr (Lanes::cooperative) {
@@ -197,9 +198,9 @@ inline void record_balance(const PatchBatch& batch, const PatchWorkspace<D>& wor
   const ElementWorkspace<D> own = workspace.element(e);
   ElementRecord& record = batch.records[workspace.patch.first_element + e];
   record.dissipation = record.external_work = 0;
-  for (int f = 0; f < num_weighted_facets(*own.op); ++f) {
-    record.dissipation += own.balance[f].dissipation;
-    record.external_work += own.balance[f].external_work;
+  for (int f = 0; f < num_weighted_facets(own.op()); ++f) {
+    record.dissipation += own.balance()[f].dissipation;
+    record.external_work += own.balance()[f].external_work;
   }
 }
 
@@ -279,7 +280,7 @@ inline void check_patch(const PatchBatch& batch, const ReferenceTablesView& tabl
   share(lanes, patch.num_elements, tables.num_unknowns, [&](int e) {
     const long slot = batch.elements[patch.first_element + e].result_slot;
     const double* coefficients = batch.coefficients + slot * tables.num_unknowns;
-    return [=, solution = workspace.element(e).solution](int unknown) { solution[unknown] = coefficients[unknown]; };
+    return [=, solution = workspace.element(e).solution()](int unknown) { solution[unknown] = coefficients[unknown]; };
   });
   lanes.synchronize();
   const AmplitudeSystem system = connect_elements<D>(batch, workspace, lanes);

@@ -1,36 +1,19 @@
 #include "kernels/transplant.hpp"
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "kernels/transplant_element.hpp"
 #include "kernels/with_dimension.hpp"
 
 namespace tentpole {
 namespace {
 
-template <int D>
-void run_on_host(const TransplantTask& task) {
-#pragma omp parallel for schedule(monotonic : dynamic, 8) num_threads(task.shape.workers)
-  for (int request = 0; request < task.num_requests; ++request) transplant_element<D>(task, request);
-}
+constexpr int chunk = 8;  // requests that a thread takes at a time
 
-#ifdef TENTPOLE_OFFLOAD
+/// One request.
 template <int D>
-void run_on_cpu_device(const TransplantTask task, int device_number) {
-  const int num_requests = task.num_requests, workers = task.shape.workers;
-#pragma omp target teams num_teams(1) device(device_number) firstprivate(task)
-#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, 8)
-  for (int request = 0; request < num_requests; ++request) transplant_element<D>(task, request);
-}
-
-template <int D>
-void run_on_gpu(const TransplantTask task, int device_number) {
-  const int num_requests = task.num_requests;
-#pragma omp target teams distribute parallel for device(device_number) firstprivate(task)
-  for (int request = 0; request < num_requests; ++request) transplant_element<D>(task, request);
-}
-#endif
+struct Transplant {
+  TransplantTask task;
+  void operator()(int request) const { transplant_element<D>(task, request); }
+};
 
 /// Reference coordinates of a corner of the element: corner 0 is the origin, corner l the l-th unit point.
 double reference_coordinate(int corner, int l) {
@@ -57,20 +40,18 @@ TransplantRequest cell_part_request(int dimension, int source_facet, const CellP
 }
 
 void transplant_host(const TransplantTask& task) {
-  with_dimension(task.tables.dimension, [&](auto dimension) { run_on_host<dimension()>(task); });
+  with_dimension(task.tables.dimension, [&](auto dimension) {
+    loop_on_host(task.shape, task.num_requests, chunk, Transplant<dimension()>{task});
+  });
 }
 
 void transplant_device([[maybe_unused]] const TransplantTask& task, [[maybe_unused]] int device_number) {
 #ifdef TENTPOLE_OFFLOAD
   with_dimension(task.tables.dimension, [&](auto dimension) {
-    if (task.shape.lanes == 1)
-      run_on_cpu_device<dimension()>(task, device_number);
-    else
-      run_on_gpu<dimension()>(task, device_number);
+    loop_on_device(task.shape, task.num_requests, chunk, Transplant<dimension()>{task}, device_number);
   });
 #else
-  std::fputs("transplant_device: this build has no device code (preset host)\n", stderr);
-  std::abort();
+  refuse_launch("transplant_device");
 #endif
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "common/simplex.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch.hpp"
 #include "kernels/transplant_tables.hpp"
 
 namespace tentpole {
@@ -25,7 +25,7 @@ struct TransplantTask {
   const TransplantRequest* requests;  ///< [num_requests]
   double* coefficients;               ///< element store: [slot][num_unknowns]
   double* inverse_jacobians;          ///< element store: [slot][l][j], (D + 1)^2 each
-  PatchSolverShape shape;
+  LaunchShape shape;
 };
 
 /// Request for one part of a front cell that was cut. The part gets an element of its own below it, so that no facet is

@@ -11,7 +11,7 @@ namespace tentpole {
 namespace {
 
 /// Threads that each solve whole patches on a CPU; teams of 128 lanes on a GPU.
-PatchSolverShape solver_shape(const Device& device, int threads) {
+LaunchShape solver_shape(const Device& device, int threads) {
   constexpr int gpu_teams = 1056, gpu_lanes = 128;
   if (device.kind == DeviceKind::gpu) return {gpu_teams, gpu_lanes};
   return {threads > 0 ? threads : device.num_threads, 1};

@@ -52,7 +52,7 @@ class BatchRunner {
 
   const Simulation& simulation_;
   Device device_;
-  PatchSolverShape shape_;
+  LaunchShape shape_;
   int num_host_threads_;
   StageTimer& timer_;
   TrafficCounters& traffic_;

@@ -37,7 +37,7 @@ PatchBatch DeviceTents::view() {
   return view;
 }
 
-void DeviceTents::solve(PatchSolverShape shape) {
+void DeviceTents::solve(LaunchShape shape) {
   PatchSolverTask task{};
   task.batch = view();
   task.tables = tables();
@@ -61,7 +61,7 @@ void DeviceTents::download(TentBatch& batch) {
   if (!batch.fracture_records.empty()) fracture_records_.download(batch.fracture_records);
 }
 
-TentBatch solved(TentBatch batch, const Device& device, PatchSolverShape shape) {
+TentBatch solved(TentBatch batch, const Device& device, LaunchShape shape) {
   DeviceTents tents(batch, device);
   tents.solve(shape);
   tents.download(batch);

@@ -17,7 +17,7 @@ class DeviceTents {
   ReferenceTablesView tables() const { return tables_.view(table_block_.pointer()); }
 
   /// Solves all patches; `shape` as for PatchSolverTask.
-  void solve(PatchSolverShape shape);
+  void solve(LaunchShape shape);
 
   /// Copies what kernels write (coefficients, inverse Jacobians, records) into a batch of the same sizes.
   void download(TentBatch& batch);
@@ -48,7 +48,7 @@ class DeviceTents {
 };
 
 /// The solution of a copy of the batch.
-TentBatch solved(TentBatch batch, const Device& device, PatchSolverShape shape);
+TentBatch solved(TentBatch batch, const Device& device, LaunchShape shape);
 /// On the host by one thread.
 TentBatch solved(TentBatch batch);
 

@@ -173,7 +173,7 @@ TEST_P(GeneralPatches, AreTheSameOnADevice) {
   for (const GeneralKind kind : general_kinds(GetParam()))
     for (int degree = 1; degree <= 3; ++degree) {
       const TentBatch batch = rough_patches(GetParam(), degree, kind, 50 + degree), here = solved(batch);
-      for (const PatchSolverShape shape : {PatchSolverShape{2, is_virtual ? 1 : 32}, PatchSolverShape{1, 4}}) {
+      for (const LaunchShape shape : {LaunchShape{2, is_virtual ? 1 : 32}, LaunchShape{1, 4}}) {
         const TentBatch there = solved(batch, devices.front(), shape);
         double scale = 0, difference = 0, energy = 0, energy_difference = 0;
         for (std::size_t i = 0; i < here.coefficients.size(); ++i) {

@@ -141,7 +141,7 @@ TEST_P(PatchSolverOnDevice, TeamsOfLanesEqualTheSerialPath) {
   for (int degree = 1; degree <= (GetParam() == 3 ? 2 : 3); ++degree) {
     const TentBatch batch = sample(GetParam(), degree, GetParam() == 3 ? 1 : 3);
     const TentBatch expected = solved(batch);
-    for (const PatchSolverShape shape : {PatchSolverShape{1, 2}, {1, 4}, {2, 2}}) {
+    for (const LaunchShape shape : {LaunchShape{1, 2}, {1, 4}, {2, 2}}) {
       const TentBatch found = solved(batch, device_, shape);
       EXPECT_LT(coefficient_difference(expected, found), 1e-12) << "degree " << degree << " lanes " << shape.lanes;
       EXPECT_LT(record_difference(expected, found), 1e-12) << "degree " << degree << " lanes " << shape.lanes;

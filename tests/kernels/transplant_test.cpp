@@ -84,7 +84,7 @@ TransplantRequest append_part(Store& store, int source, int source_facet, const 
 }
 
 void transplant(Store& store, const std::vector<TransplantRequest>& requests, const Device& device = host_device(),
-                PatchSolverShape shape = {1, 1}) {
+                LaunchShape shape = {1, 1}) {
   TrafficCounters traffic;
   const TransplantTables tables(store.dimension, store.degree);
   DeviceBuffer<double> table_block(device, traffic, std::ssize(tables.block())),
