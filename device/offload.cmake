@@ -73,7 +73,7 @@ if(TENTPOLE_OFFLOAD)
       list(APPEND image_options -Xopenmp-target=nvptx64-nvidia-cuda -march=${TENTPOLE_GPU_ARCH}
         --cuda-path=${TENTPOLE_CUDA} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime}
 )
-      set(gpu_code_options "-fopenmp-cuda-mode -Xcuda-ptxas -maxrregcount=${TENTPOLE_GPU_REGISTERS}")
+      set(gpu_code_options "SHELL:-fopenmp-cuda-mode -Xcuda-ptxas -maxrregcount=${TENTPOLE_GPU_REGISTERS}")
     endif()
   endif()
   message(STATUS "Tentpole: device images ${images}")
@@ -82,7 +82,7 @@ if(TENTPOLE_OFFLOAD)
   list(JOIN image_options " " image_options)
   set(image_flags "SHELL:-fopenmp-targets=${image_list} ${image_options}")
   target_compile_definitions(tentpole_offload INTERFACE TENTPOLE_OFFLOAD=1)
-  target_compile_options(tentpole_offload INTERFACE ${image_flags} "SHELL:${gpu_code_options}")
+  target_compile_options(tentpole_offload INTERFACE ${image_flags} ${gpu_code_options})
   target_link_options(tentpole_offload INTERFACE ${image_flags} -L${TENTPOLE_LLVM_LIB})
 endif()
 

@@ -33,7 +33,10 @@ Simulation read_simulation(const CaseOptions& options) {
 Device choose_device(bool offload, std::optional<int> number) {
   if (!offload && !number) return host_device();
   try {
-    return select_device(number);
+    const Device device = select_device(number);
+    if (!number && device.kind != DeviceKind::gpu)
+      for (const std::string& reason : unused_gpus()) std::cerr << "warning: " << reason << "\n";
+    return device;
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   }
