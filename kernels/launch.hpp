@@ -38,8 +38,9 @@ void loop_on_host(const LaunchShape& shape, int num_items, int chunk, const Work
 #ifdef TENTPOLE_OFFLOAD
 template <class Work>
 void loop_on_cpu_device(const LaunchShape shape, int num_items, int chunk, const Work work, int device_number) {
+  const int workers = shape.workers;  // a number travels with the launch, a struct would be mapped there and back
 #pragma omp target teams num_teams(1) device(device_number) firstprivate(work)
-#pragma omp parallel for num_threads(shape.workers) schedule(monotonic : dynamic, chunk)
+#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, chunk)
   for (int item = 0; item < num_items; ++item) {
     if constexpr (is_gpu_image)
       __builtin_trap();
