@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "host/mesh/mesh_error.hpp"
+#include "host/mesh/name_use.hpp"
 #include "host/mesh/space_mesh.hpp"
 
 namespace tentpole {
@@ -14,7 +16,7 @@ namespace tentpole {
 using CellVertices = std::array<std::int32_t, SpaceMesh::max_corners>;
 using FacetVertices = std::array<std::int32_t, max_dimension>;
 
-/// A boundary facet and its name.
+/// A facet and its name.
 struct NamedFacet {
   FacetVertices vertices;  ///< dimension of them, any order
   std::int32_t boundary;   ///< index into boundary_names
@@ -28,11 +30,12 @@ struct MeshDescription {
   std::vector<Point> vertices;            ///< [m]
   std::vector<CellVertices> cells;        ///< any orientation, any order of corners
   std::vector<std::int32_t> cell_region;  ///< index into region_names, or none
-  std::vector<NamedFacet> named_facets;   ///< those inside the domain are ignored with a warning
+  std::vector<NamedFacet> named_facets;   ///< a facet may come several times, with different names
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;
   std::vector<std::int64_t> vertex_number;  ///< as in the source; empty: the index
   std::vector<std::int64_t> cell_number;    ///< as in the source; empty: the index
+  std::optional<NameUse> use;               ///< what the case does with the names; absent: all are used
 
   std::string vertex_label(int vertex) const;                    ///< "vertex 17"
   std::string cell_label(int cell) const;                        ///< "triangle 4", after the dimension
