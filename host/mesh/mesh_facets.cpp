@@ -5,6 +5,7 @@
 
 #include "host/mesh/insertion_sort.hpp"
 #include "host/mesh/simplex_geometry.hpp"
+#include "host/mesh/toml_name.hpp"
 
 namespace tentpole {
 
@@ -53,6 +54,24 @@ bool lies_on_facet(const MeshDescription& description, const FacetVertices& face
     return distance(cross(difference(q, p), difference(r, p)), Point{}) / 2;
   };
   return area(a, b, point) + area(b, c, point) + area(c, a, point) <= area(a, b, c) * (1 + 1e-9);
+}
+
+/// Which names count before others where a facet has several.
+std::vector<bool> used_boundaries(const MeshDescription& description) {
+  std::vector<bool> is_used;
+  for (const std::string& name : description.boundary_names)
+    is_used.push_back(!description.use || description.use->has_boundary(name));
+  return is_used;
+}
+
+[[noreturn]] void throw_two_boundaries(const MeshDescription& description, const FacetVertices& facet, int boundary,
+                                       int other) {
+  const std::string &first = description.boundary_names[boundary], &second = description.boundary_names[other];
+  throw MeshError(description.source, description.facet_label(facet),
+                  "belongs to two boundaries, " + first + " and " + second +
+                      (description.use ? ", and both have a condition. Keep one of [boundary." + toml_key(first) +
+                                             "] and [boundary." + toml_key(second) + "], or make the groups disjoint."
+                                       : ". Keep one physical group."));
 }
 
 }  // namespace
@@ -109,6 +128,7 @@ void check_cells_do_not_overlap(const MeshDescription& description, const FacetT
 
 void name_boundary_facets(const MeshDescription& description, FacetTable& facets, std::vector<std::string>& warnings) {
   const std::vector<FacetOfCell> all = sorted_facets(description);
+  const std::vector<bool> is_used = used_boundaries(description);
   int num_ignored = 0;
   std::string example;
   for (const NamedFacet& named : description.named_facets) {
@@ -122,11 +142,9 @@ void name_boundary_facets(const MeshDescription& description, FacetTable& facets
       continue;
     }
     std::int32_t& boundary = facets.boundary[found->cell][found->facet];
-    if (boundary != none && boundary != named.boundary)
-      throw MeshError(description.source, description.facet_label(vertices),
-                      "belongs to two boundaries, " + description.boundary_names[boundary] + " and " +
-                          description.boundary_names[named.boundary] + ". Keep one physical group.");
-    boundary = named.boundary;
+    if (boundary != none && boundary != named.boundary && is_used[boundary] && is_used[named.boundary])
+      throw_two_boundaries(description, vertices, boundary, named.boundary);
+    if (boundary == none || is_used[named.boundary]) boundary = named.boundary;
   }
   if (num_ignored > 0)
     warnings.push_back(description.source + ": " + std::to_string(num_ignored) +

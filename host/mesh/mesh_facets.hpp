@@ -27,7 +27,8 @@ FacetTable match_facets(const MeshDescription& description);
 void check_cells_do_not_overlap(const MeshDescription& description, const FacetTable& facets);
 
 /// Gives the boundary facets their names. Named facets that lie inside the domain or belong to no cell are ignored,
-/// with a sentence in `warnings`. Throws MeshError where a facet has two names.
+/// with a sentence in `warnings`. A facet of several names has the one that is used (NameUse). Throws MeshError where
+/// two of them are.
 void name_boundary_facets(const MeshDescription& description, FacetTable& facets, std::vector<std::string>& warnings);
 
 /// Throws MeshError at a boundary facet without a name; it is called a hanging node where another vertex lies on the

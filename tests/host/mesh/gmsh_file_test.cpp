@@ -64,6 +64,55 @@ TEST(GmshFile, RegionsOfVersion2AreThoseOfTheElementsWhateverTheirEntity) {
   EXPECT_EQ(mesh.cell_region, (std::vector<std::int32_t>{0, 0, 0, 1}));
 }
 
+// The square with two more groups: "everything" holds its cells, "rim" its sides. Version 2.2 lists each of them twice.
+const char* const overlapping[] = {"square_groups_22.msh", "square_groups_22_binary.msh", "square_groups_41.msh"};
+
+TEST(GmshFile, OfOverlappingGroupsTheUsedOneCounts) {
+  const AnyOrder expected(read_gmsh_file(file("square_22.msh"), 2));
+  for (const char* name : overlapping) {
+    const SpaceMesh fine =
+        read_gmsh_file(file(name), 2, {}, NameUse{{"plate"}, {"left", "right", "bottom", "top"}, {}});
+    EXPECT_EQ(AnyOrder(fine).cells, expected.cells) << name;
+    EXPECT_EQ(AnyOrder(fine).sides, expected.sides) << name;
+    EXPECT_EQ(fine.region_names, std::vector<std::string>{"plate"}) << name;
+    const SpaceMesh coarse = read_gmsh_file(file(name), 2, {}, NameUse{{"everything"}, {"rim"}, {}});
+    EXPECT_EQ(coarse.num_cells(), 4) << name;
+    EXPECT_EQ(coarse.region_names, std::vector<std::string>{"everything"}) << name;
+    EXPECT_EQ(coarse.boundary_names, std::vector<std::string>{"rim"}) << name;
+  }
+}
+
+TEST(GmshFile, OfOverlappingGroupsThatAreNotUsedTheFirstCounts) {
+  const AnyOrder expected(read_gmsh_file(file("square_22.msh"), 2));
+  for (const char* name : overlapping)
+    EXPECT_EQ(AnyOrder(read_gmsh_file(file(name), 2, {}, NameUse{})).cells, expected.cells) << name;
+}
+
+TEST(GmshFile, TwoUsedGroupsOfOnePlaceAreRefusedWithBothTables) {
+  const auto refusal = [](const char* name, const NameUse& use) -> std::string {
+    try {
+      read_gmsh_file(file(name), 2, {}, use);
+    } catch (const MeshError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  for (const char* name : overlapping) {
+    const std::string cells = refusal(name, {{"plate", "everything"}, {"rim"}, {}});
+    EXPECT_NE(cells.find("belongs to two physical groups, plate and everything, and both have a material. Keep one of "
+                         "[material.plate] and [material.everything], or make the groups disjoint."),
+              std::string::npos)
+        << cells;
+    EXPECT_NE(cells.find(", triangle "), std::string::npos) << cells;
+    const std::string sides = refusal(name, {{"plate"}, {"rim", "left", "right", "bottom", "top"}, {}});
+    EXPECT_NE(
+        sides.find("edge (1, 2): belongs to two boundaries, bottom and rim, and both have a condition. Keep one of "
+                   "[boundary.bottom] and [boundary.rim], or make the groups disjoint."),
+        std::string::npos)
+        << sides;
+  }
+}
+
 TEST(GmshFile, NothingBesideTheMeshIsRead) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "mesh_with_options";
   std::filesystem::remove_all(folder);

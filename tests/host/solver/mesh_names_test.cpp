@@ -1,0 +1,67 @@
+#include "host/solver/mesh_names.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/solver/simulation.hpp"
+
+// How the names of a mesh file and of a case meet.
+namespace tentpole {
+namespace {
+
+/// A case with this mesh of tests/host/mesh, and these tables.
+Simulation simulation_with(const std::string& mesh, const std::vector<std::string>& materials,
+                           const std::vector<std::string>& boundaries) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "mesh_names.toml";
+  std::ofstream stream(path);
+  stream << "[domain]\ndimension = 2\nmesh = \"" << TENTPOLE_TEST_DATA << "/../mesh/" << mesh << "\"\n";
+  for (const std::string& name : materials)
+    stream << "[material." << name << "]\ndensity = 1\nyoungs_modulus = " << name.size() << "\npoisson_ratio = 0\n";
+  for (const std::string& name : boundaries) stream << "[boundary." << name << "]\nabsorbing = true\n";
+  stream << "[time]\nend = 1\n[discretization]\ndegree = 2\n";
+  stream.close();
+  return make_simulation(read_case(path));
+}
+
+std::string refusal(const std::string& mesh, const std::vector<std::string>& materials,
+                    const std::vector<std::string>& boundaries) {
+  try {
+    simulation_with(mesh, materials, boundaries);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(MeshNames, GroupsThatOverlapMayStayWithoutTables) {
+  const Simulation simulation = simulation_with("square_groups_41.msh", {"plate"}, {"rim"});
+  EXPECT_EQ(simulation.mesh.region_names, std::vector<std::string>{"plate"});
+  EXPECT_EQ(simulation.mesh.boundary_names, std::vector<std::string>{"rim"});
+}
+
+TEST(MeshNames, AllIsEveryRegionWithoutATableOfItsOwn) {
+  EXPECT_EQ(simulation_with("square_groups_41.msh", {"all"}, {"rim"}).materials.front().mu * 2, 3);
+  EXPECT_EQ(simulation_with("square_groups_22.msh", {"all", "everything"}, {"rim"}).materials.front().mu * 2, 10);
+  const Simulation two =
+      simulation_with("two_regions_on_one_entity.msh", {"all", "inclusion"}, {"left", "right", "bottom", "top"});
+  ASSERT_EQ(two.mesh.region_names, (std::vector<std::string>{"plate", "inclusion"}));
+  EXPECT_EQ(two.materials[0].mu * 2, 3);
+  EXPECT_EQ(two.materials[1].mu * 2, 9);
+}
+
+TEST(MeshNames, NamesWithoutATableAndTablesWithoutANameAreReportedTogether) {
+  const std::string message = refusal("square_41.msh", {"steel"}, {"left", "right", "bottom", "lid"});
+  for (const char* part :
+       {"boundary.top: the mesh has this boundary and the case no condition for it. Add [boundary.top].",
+        "boundary.lid: the mesh has no such boundary (it has: left, right, bottom, top). Remove the table or name one",
+        "material.plate: the mesh has this region and the case no material for it. Add [material.plate].",
+        "material.steel: the mesh has no such region (it has: plate). Remove the table or name one of these."})
+    EXPECT_NE(message.find(part), std::string::npos) << part << "\nnot in\n" << message;
+}
+
+}  // namespace
+}  // namespace tentpole
