@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "host/mesh/msh/sections.hpp"
+#include "host/mesh/msh/utf8.hpp"
 
 namespace tentpole {
 
@@ -11,7 +14,12 @@ std::string quoted_name(ByteSource& source) {
   if (line.empty() || line.front() != '"' || last == 0)
     source.fail(quoted_for_message(line) + " stands where the name of a physical group, in quotation marks, must be. " +
                 "Correct it, or save the mesh anew from Gmsh.");
-  return std::string(line.substr(1, last - 1));
+  const std::string_view name = line.substr(1, last - 1);
+  const auto is_control = [](char character) { return (character >= 0 && character < ' ') || character == 0x7f; };
+  if (std::any_of(name.begin(), name.end(), is_control))
+    source.fail("the name " + quoted_for_message(name) +
+                " of a physical group holds a control character. Rename the group.");
+  return as_utf8(name);
 }
 
 }  // namespace

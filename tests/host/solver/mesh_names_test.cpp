@@ -13,12 +13,13 @@
 namespace tentpole {
 namespace {
 
-/// A case with this mesh of tests/host/mesh, and these tables.
+/// A case with this mesh of tests/host/mesh (or elsewhere), and these tables.
 Simulation simulation_with(const std::string& mesh, const std::vector<std::string>& materials,
                            const std::vector<std::string>& boundaries) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "mesh_names.toml";
   std::ofstream stream(path);
-  stream << "[domain]\ndimension = 2\nmesh = \"" << TENTPOLE_TEST_DATA << "/../mesh/" << mesh << "\"\n";
+  const std::filesystem::path folder = std::filesystem::path(TENTPOLE_TEST_DATA) / "../mesh";
+  stream << "[domain]\ndimension = 2\nmesh = \"" << (folder / mesh).string() << "\"\n";
   for (const std::string& name : materials)
     stream << "[material." << name << "]\ndensity = 1\nyoungs_modulus = " << name.size() << "\npoisson_ratio = 0\n";
   for (const std::string& name : boundaries) stream << "[boundary." << name << "]\nabsorbing = true\n";
@@ -61,6 +62,48 @@ TEST(MeshNames, NamesWithoutATableAndTablesWithoutANameAreReportedTogether) {
         "material.plate: the mesh has this region and the case no material for it. Add [material.plate].",
         "material.steel: the mesh has no such region (it has: plate). Remove the table or name one of these."})
     EXPECT_NE(message.find(part), std::string::npos) << part << "\nnot in\n" << message;
+}
+
+/// The square with its names replaced, in a temporary folder.
+std::string square_named(const std::string& region, const std::string& side) {
+  std::ifstream square(std::string(TENTPOLE_TEST_DATA) + "/../mesh/square_41.msh");
+  std::string bytes(std::istreambuf_iterator<char>(square), {});
+  for (const auto& [old_name, name] : {std::pair<std::string, std::string>{"\"plate\"", region}, {"\"left\"", side}})
+    bytes.replace(bytes.find(old_name), old_name.size(), "\"" + name + "\"");
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "square_named.msh";
+  std::ofstream(path) << bytes;
+  return path.string();
+}
+
+TEST(MeshNames, AdviceIsWhatACaseFileTakes) {
+  for (const std::string name :
+       {"Mechanically clamped", "freie Oberfläche", "3\" pipe", "C:\\mesh", "a.b", "=#]", "板"}) {
+    const std::string mesh = square_named("solid " + name, name);
+    const std::vector<std::string> others{"right", "bottom", "top"};
+    const std::string message = refusal(mesh, {"missing"}, others);
+    const auto advised = [&](const std::string& section) {
+      const std::string start = "Add [" + section + ".";
+      const std::size_t begin = message.find(start) + start.size(), end = message.find("].\n", begin);
+      return message.substr(begin, (end == std::string::npos ? message.size() - 2 : end) - begin);
+    };
+    std::vector<std::string> sides = others;
+    sides.push_back(advised("boundary"));
+    EXPECT_EQ(refusal(mesh, {advised("material")}, sides), "accepted") << message;
+  }
+}
+
+TEST(MeshNames, NamesInLatin1AreThoseLetters) {
+  const std::string mesh = square_named("Stahl",
+                                        "freie Oberfl\xe4"
+                                        "che");
+  EXPECT_EQ(refusal(mesh, {"Stahl"}, {"\"freie Oberfläche\"", "right", "bottom", "top"}), "accepted");
+}
+
+TEST(MeshNames, ControlCharactersInNamesAreRefused) {
+  const std::string message = refusal(square_named("Stahl", "\x1b[31mred"), {"Stahl"}, {"right"});
+  EXPECT_NE(message.find("line 6, $PhysicalNames: the name \"?[31mred\" of a physical group holds a control character"),
+            std::string::npos)
+      << message;
 }
 
 }  // namespace
