@@ -37,18 +37,24 @@ struct MeshDescription {
   std::vector<std::int64_t> cell_number;    ///< as in the source; empty: the index
   std::optional<NameUse> use;               ///< what the case does with the names; absent: all are used
 
+  bool is_crack(std::int32_t boundary) const { return use && use->has_crack(boundary_names[boundary]); }
+
   std::string vertex_label(int vertex) const;                    ///< "vertex 17"
   std::string cell_label(int cell) const;                        ///< "triangle 4", after the dimension
   std::string facet_label(const FacetVertices& vertices) const;  ///< "edge (3, 4)", by vertex numbers
   std::string cell_kind() const;                                 ///< "line", "triangle", "tetrahedron"
 };
 
-/// Checks a description, drops unused vertices (with a warning) and identifies periodic sides.
-/// Vertices keep their order, so the result is a function of the description alone.
-/// Throws MeshError with the entity's number for: no cells; a coordinate that is not finite; a degenerate cell; two
-/// cells on the same side of their facet (one is inverted); more than two cells at a facet; a hanging node; a boundary
-/// facet without a name; a cell without a region; two vertices at one place; periodic sides that do not match, or a
-/// periodic domain so small that a cell meets itself.
+/// Removes the vertices whose new index is none, and renumbers the others; new indices ascend. Cells must not use the
+/// removed ones; named facets that do are removed, too.
+void renumber_vertices(MeshDescription& description, const std::vector<std::int32_t>& new_index);
+
+/// Checks a description, joins what is doubled at cracks, drops unused vertices (with a warning) and identifies
+/// periodic sides. Vertices keep their order, so the result is a function of the description alone. Throws MeshError
+/// with the entity's number for: no cells; a coordinate that is not finite; a degenerate cell; two cells on the same
+/// side of their facet (one is inverted); more than two cells at a facet; a hanging node; a boundary facet without a
+/// name; a cell without a region; two vertices at one place; a crack side that is not inside; periodic sides that do
+/// not match, or a periodic domain so small that a cell meets itself.
 SpaceMesh build_space_mesh(MeshDescription description, const PeriodicPairs& periodic = {});
 
 }  // namespace tentpole

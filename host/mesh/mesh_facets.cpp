@@ -11,15 +11,6 @@ namespace tentpole {
 
 namespace {
 
-/// A facet as its sorted vertices, with the cell it is seen from.
-struct FacetOfCell {
-  FacetVertices vertices;
-  std::int32_t cell;
-  std::int32_t facet;
-
-  auto operator<=>(const FacetOfCell&) const = default;
-};
-
 std::vector<FacetOfCell> sorted_facets(const MeshDescription& description) {
   std::vector<FacetOfCell> all;
   all.reserve(description.cells.size() * (description.dimension + 1));
@@ -74,6 +65,29 @@ std::vector<bool> used_boundaries(const MeshDescription& description) {
                                        : ". Keep one physical group."));
 }
 
+/// Where a named facet lies: the cell that has it, or none.
+struct FacetPlace {
+  std::int32_t cell = none;
+  std::int32_t facet = none;
+  bool is_inside = false;  ///< between two cells
+};
+
+FacetPlace find_facet(const FacetTable& facets, const FacetVertices& vertices) {
+  const auto found = std::lower_bound(facets.sorted.begin(), facets.sorted.end(), FacetOfCell{vertices, 0, 0});
+  if (found == facets.sorted.end() || found->vertices != vertices) return {};
+  return {found->cell, found->facet, facets.neighbor[found->cell][found->facet] != none};
+}
+
+void check_crack_is_inside(const MeshDescription& description, const NamedFacet& crack, const FacetPlace& place) {
+  if (place.is_inside) return;
+  throw MeshError(description.source, description.facet_label(crack.vertices),
+                  "belongs to the crack " + description.boundary_names[crack.boundary] +
+                      (place.cell == none
+                           ? ", but to no cell. Fit the mesh to the crack (in Gmsh: embed its curve in the surface)."
+                           : ", but lies on the boundary of the body, where there is nothing to separate from. Name a "
+                             "side inside the body in [[fracture.crack]], or give points."));
+}
+
 }  // namespace
 
 FacetVertices facet_vertices(int dimension, const CellVertices& cell, int facet) {
@@ -86,9 +100,12 @@ FacetVertices facet_vertices(int dimension, const CellVertices& cell, int facet)
 FacetTable match_facets(const MeshDescription& description) {
   const std::size_t num_cells = description.cells.size();
   const CellVertices absent{none, none, none, none};
-  FacetTable table{std::vector(num_cells, absent), {}, std::vector(num_cells, absent)};
+  FacetTable table;
+  table.neighbor.assign(num_cells, absent);
   table.neighbor_facet.resize(num_cells);
-  const std::vector<FacetOfCell> all = sorted_facets(description);
+  table.boundary.assign(num_cells, absent);
+  table.sorted = sorted_facets(description);
+  const std::vector<FacetOfCell>& all = table.sorted;
   for (std::size_t first = 0; first < all.size();) {
     std::size_t end = first + 1;
     while (end < all.size() && all[end].vertices == all[first].vertices) ++end;
@@ -126,22 +143,22 @@ void check_cells_do_not_overlap(const MeshDescription& description, const FacetT
     }
 }
 
-void name_boundary_facets(const MeshDescription& description, FacetTable& facets, std::vector<std::string>& warnings) {
-  const std::vector<FacetOfCell> all = sorted_facets(description);
+void name_facets(const MeshDescription& description, FacetTable& facets, std::vector<std::string>& warnings) {
   const std::vector<bool> is_used = used_boundaries(description);
   int num_ignored = 0;
   std::string example;
   for (const NamedFacet& named : description.named_facets) {
     FacetVertices vertices = named.vertices;
     insertion_sort(vertices, description.dimension);
-    const auto found = std::lower_bound(all.begin(), all.end(), FacetOfCell{vertices, 0, 0});
-    const bool is_facet = found != all.end() && found->vertices == vertices;
-    if (!is_facet || facets.neighbor[found->cell][found->facet] != none) {
-      if (num_ignored++ == 0)
+    const FacetPlace place = find_facet(facets, vertices);
+    if (description.is_crack(named.boundary)) check_crack_is_inside(description, {vertices, named.boundary}, place);
+    if (place.is_inside) facets.inner.push_back({vertices, named.boundary});
+    if (place.cell == none || place.is_inside) {
+      if (!description.is_crack(named.boundary) && num_ignored++ == 0)
         example = description.facet_label(vertices) + " of " + description.boundary_names[named.boundary];
       continue;
     }
-    std::int32_t& boundary = facets.boundary[found->cell][found->facet];
+    std::int32_t& boundary = facets.boundary[place.cell][place.facet];
     if (boundary != none && boundary != named.boundary && is_used[boundary] && is_used[named.boundary])
       throw_two_boundaries(description, vertices, boundary, named.boundary);
     if (boundary == none || is_used[named.boundary]) boundary = named.boundary;

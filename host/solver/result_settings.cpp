@@ -205,7 +205,10 @@ void add_fracture(const FractureSettings& fracture, SettingList& list) {
     const std::string key = "fracture.crack " + std::to_string(++number);
     std::string points;
     for (const auto& point : crack.points) points += list_text(point) + " ";
-    list.add(key + " points", points);
+    if (crack.side.empty())
+      list.add(key + " points", points);
+    else
+      list.add(key + " side", crack.side);
     list.add(key + " damage", crack.damage);
   }
   add_nucleation(fracture.nucleation, list);

@@ -63,7 +63,7 @@ class ElementAdder {
     }
   }
 
-  /// A facet of several groups comes with each of their names; name_boundary_facets chooses.
+  /// A facet of several groups comes with each of their names; name_facets chooses.
   void add_facets(const MshBlock& block) {
     for (const std::string& name : block_names(contents_, block)) {
       const std::int32_t boundary = index_of(name, mesh_.boundary_names, boundary_index_);

@@ -1,6 +1,7 @@
 #include "host/mesh/gmsh_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -110,6 +111,25 @@ TEST(GmshFile, TwoUsedGroupsOfOnePlaceAreRefusedWithBothTables) {
                    "[boundary.bottom] and [boundary.rim], or make the groups disjoint."),
         std::string::npos)
         << sides;
+  }
+}
+
+// Written by Gmsh 4.15: a square with an embedded curve, and the same after its plugin Crack has doubled the nodes
+// there.
+TEST(GmshFile, ACrackIsTheSameWhetherItsNodesAreDoubledOrNot) {
+  const NameUse use{{"glass"}, {"outer"}, {"notch"}};
+  const SpaceMesh inside = read_gmsh_file(file("crack_inside.msh"), 2, {}, use);
+  const SpaceMesh doubled = read_gmsh_file(file("crack_doubled.msh"), 2, {}, use);
+  EXPECT_EQ(AnyOrder(doubled).cells, AnyOrder(inside).cells);
+  EXPECT_EQ(AnyOrder(doubled).sides, AnyOrder(inside).sides);
+  for (const SpaceMesh* mesh : {&inside, &doubled}) {
+    ASSERT_EQ(mesh->inner_sides.size(), 1u);
+    EXPECT_EQ(mesh->inner_sides[0].name, "notch");
+    double length = 0;
+    for (const auto& facet : mesh->inner_sides[0].facets)
+      length += std::abs(mesh->vertices[facet[0]][0] - mesh->vertices[facet[1]][0]);
+    EXPECT_EQ(mesh->inner_sides[0].facets.size(), 4u);
+    EXPECT_NEAR(length, 1, 1e-12);
   }
 }
 

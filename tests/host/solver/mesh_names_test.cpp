@@ -15,7 +15,7 @@ namespace {
 
 /// A case with this mesh of tests/host/mesh (or elsewhere), and these tables.
 Simulation simulation_with(const std::string& mesh, const std::vector<std::string>& materials,
-                           const std::vector<std::string>& boundaries) {
+                           const std::vector<std::string>& boundaries, const std::string& crack = "") {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "mesh_names.toml";
   std::ofstream stream(path);
   const std::filesystem::path folder = std::filesystem::path(TENTPOLE_TEST_DATA) / "../mesh";
@@ -24,14 +24,16 @@ Simulation simulation_with(const std::string& mesh, const std::vector<std::strin
     stream << "[material." << name << "]\ndensity = 1\nyoungs_modulus = " << name.size() << "\npoisson_ratio = 0\n";
   for (const std::string& name : boundaries) stream << "[boundary." << name << "]\nabsorbing = true\n";
   stream << "[time]\nend = 1\n[discretization]\ndegree = 2\n";
+  if (!crack.empty())
+    stream << "[fracture]\nenabled = false\n[[fracture.crack]]\nside = \"" << crack << "\"\ndamage = 1\n";
   stream.close();
   return make_simulation(read_case(path));
 }
 
 std::string refusal(const std::string& mesh, const std::vector<std::string>& materials,
-                    const std::vector<std::string>& boundaries) {
+                    const std::vector<std::string>& boundaries, const std::string& crack = "") {
   try {
-    simulation_with(mesh, materials, boundaries);
+    simulation_with(mesh, materials, boundaries, crack);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -62,6 +64,38 @@ TEST(MeshNames, NamesWithoutATableAndTablesWithoutANameAreReportedTogether) {
         "material.plate: the mesh has this region and the case no material for it. Add [material.plate].",
         "material.steel: the mesh has no such region (it has: plate). Remove the table or name one of these."})
     EXPECT_NE(message.find(part), std::string::npos) << part << "\nnot in\n" << message;
+}
+
+TEST(MeshNames, ASideInsideIsOfferedAsACrack) {
+  EXPECT_NE(
+      refusal("crack_inside.msh", {"all"}, {"outer", "notch"})
+          .find("boundary.notch: this side lies inside the body, between cells, where no condition can be. Remove "
+                "the table, or make the side a crack: [[fracture.crack]] with side = \"notch\"."),
+      std::string::npos);
+  EXPECT_EQ(refusal("crack_inside.msh", {"all"}, {"outer"}), "accepted");
+}
+
+TEST(MeshNames, ACrackIsASideInside) {
+  for (const char* mesh : {"crack_inside.msh", "crack_doubled.msh"}) {
+    EXPECT_EQ(refusal(mesh, {"all"}, {"outer"}, "notch"), "accepted");
+    EXPECT_NE(refusal(mesh, {"all"}, {"outer", "notch"}, "notch")
+                  .find("boundary.notch: this side is a crack, on which [fracture] says what the surfaces bear. Remove "
+                        "the table."),
+              std::string::npos);
+  }
+  EXPECT_NE(refusal("crack_inside.msh", {"all"}, {"outer"}, "outer")
+                .find("belongs to the crack outer, but lies on the boundary of the body"),
+            std::string::npos);
+  const std::string misspelt = refusal("crack_inside.msh", {"all"}, {"outer"}, "nutch");
+  EXPECT_NE(
+      misspelt.find("mesh_names.toml:17: fracture.crack[1].side = \"nutch\": the mesh has no such side inside the "
+                    "body. Did you mean \"notch\"?"),
+      std::string::npos)
+      << misspelt;
+  const std::string nowhere = refusal("square_41.msh", {"all"}, {"left", "right", "bottom", "top"}, "nutch");
+  EXPECT_NE(nowhere.find("the mesh has no such side, and none inside the body. Give points instead."),
+            std::string::npos)
+      << nowhere;
 }
 
 /// The square with its names replaced, in a temporary folder.
