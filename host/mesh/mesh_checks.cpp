@@ -12,6 +12,9 @@ namespace tentpole {
 
 namespace {
 
+/// Beyond these the product of three lengths is no normal number any more.
+constexpr double smallest_length = 1e-100, largest_length = 1e100;
+
 std::string printed_position(const Point& point) {
   return "(" + printed(point[0]) + ", " + printed(point[1]) + ", " + printed(point[2]) + ")";
 }
@@ -41,9 +44,10 @@ void check_crack_vertices(const MeshDescription& description, const std::vector<
   const std::string side = description.dimension < max_dimension ? find_doubled_side(description) : "";
   const std::string crack = "The side " + side + " is doubled there, as Gmsh's plugin Crack does: make it a crack " +
                             "([[fracture.crack]] with side = " + toml_string(side) + "), or merge";
-  throw MeshError(description.source, description.vertex_label(vertex) + " and " + description.vertex_label(other),
-                  "both lie at " + printed_position(description.vertices[vertex]) + ". " +
-                      (side.empty() ? "Merge" : crack) + " duplicate vertices (in Gmsh: Coherence Mesh).");
+  throw MeshError(
+      description.source, description.vertex_label(vertex) + " and " + description.vertex_label(other),
+      "both lie at " + printed_position(description.vertices[vertex]) + ". " +
+          description.way_out((side.empty() ? "Merge" : crack) + " duplicate vertices (in Gmsh: Coherence Mesh)."));
 }
 
 }  // namespace
@@ -66,9 +70,10 @@ void check_coordinates(const MeshDescription& description) {
   const auto& vertices = description.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (int axis = 0; axis < max_dimension; ++axis)
-      if (!std::isfinite(vertices[i][axis]))
-        throw MeshError(description.source, description.vertex_label(static_cast<int>(i)),
-                        "its position is " + printed_position(vertices[i]) + ". Coordinates must be finite.");
+      if (!(std::abs(vertices[i][axis]) <= largest_length))
+        throw MeshError(
+            description.source, description.vertex_label(static_cast<int>(i)),
+            "its position is " + printed_position(vertices[i]) + ". Coordinates must be finite, and at most 1e100 m.");
   const double tolerance = PointFinder::default_tolerance(vertices);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (int axis = description.dimension; axis < max_dimension; ++axis)
@@ -104,10 +109,15 @@ void check_cells(const MeshDescription& description) {
     for (int i = 0; i <= description.dimension; ++i) corners[i] = description.vertices[vertices[i]];
     const double measure = std::abs(signed_simplex_measure(description.dimension, corners));
     const double longest = longest_edge(description.dimension, corners);
+    if (longest < smallest_length)
+      throw MeshError(description.source, description.cell_label(cell),
+                      "is too small: its longest edge is " + printed(longest) +
+                          " m, but at least 1e-100 m are needed. " +
+                          description.way_out("Give coordinates in metres."));
     if (!(measure > 1e-10 * std::pow(longest, description.dimension)))
       throw MeshError(description.source, description.cell_label(cell),
                       "is degenerate: its measure is " + printed(measure) + ", its longest edge " + printed(longest) +
-                          ". Repair the mesh.");
+                          ". " + description.way_out("Repair the mesh."));
   }
 }
 

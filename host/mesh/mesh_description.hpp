@@ -36,7 +36,12 @@ struct MeshDescription {
   std::vector<std::int64_t> vertex_number;  ///< as in the source; empty: the index
   std::vector<std::int64_t> cell_number;    ///< as in the source; empty: the index
   std::optional<NameUse> use;               ///< what the case does with the names; absent: all are used
+  std::string generator_advice;             ///< the way out of whatever is wrong with a generated mesh; empty: a file
 
+  /// The way out for a message: `for_file`, or what the generator advises.
+  const std::string& way_out(const std::string& for_file) const {
+    return generator_advice.empty() ? for_file : generator_advice;
+  }
   bool is_crack(std::int32_t boundary) const { return use && use->has_crack(boundary_names[boundary]); }
 
   std::string vertex_label(int vertex) const;                    ///< "vertex 17"

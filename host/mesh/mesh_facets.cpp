@@ -139,7 +139,8 @@ void check_cells_do_not_overlap(const MeshDescription& description, const FacetT
         throw MeshError(description.source,
                         description.cell_label(static_cast<int>(cell)) + " and " + description.cell_label(other),
                         "both lie on the same side of their common " + description.facet_label(vertices) +
-                            ", so one of them is inverted. Repair the mesh (in Gmsh: Optimize, or refine there).");
+                            ", so one of them is inverted. " +
+                            description.way_out("Repair the mesh (in Gmsh: Optimize, or refine there)."));
     }
 }
 

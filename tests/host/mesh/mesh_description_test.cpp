@@ -1,5 +1,6 @@
 #include "host/mesh/mesh_description.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -117,6 +118,19 @@ TEST(BuildSpaceMesh, RefusesACrackThatTheMeshIsNotFittedTo) {
       beside.find("square, edge (4, 5): belongs to the crack crack, but to no cell, because vertex 5 belongs to none"),
       std::string::npos)
       << beside;
+}
+
+TEST(BuildSpaceMesh, RefusesLengthsWhoseCubesAreNoNumbers) {
+  for (const double length : {1e200, -1e308, 1e-200}) {
+    MeshDescription description = square();
+    for (Point& vertex : description.vertices)
+      for (double& coordinate : vertex) coordinate *= length;
+    const std::string message = refusal(description);
+    EXPECT_NE(message.find(std::abs(length) > 1 ? "Coordinates must be finite, and at most 1e100 m."
+                                                : "is too small: its longest edge is "),
+              std::string::npos)
+        << message;
+  }
 }
 
 /// The square cut open from vertex 0 to 4 and on to 1, where it stays whole: vertices 5 and 6 lie where 0 and 4 do.
