@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "host/mesh/msh/group_names.hpp"
 #include "host/mesh/msh/repeated_cells.hpp"
 
 namespace tentpole {
@@ -26,29 +27,14 @@ void check_block(const MeshDescription& mesh, const MshContents& contents, const
                         "order 1 (in Gmsh: no Recombine, Mesh.ElementOrder = 1).");
 }
 
-/// Names of the groups that the elements of a block are in, each once.
-std::vector<std::string> block_names(const MshContents& contents, const MshBlock& block) {
-  std::vector<std::string> names;
-  const auto add = [&](std::int64_t group) {
-    const std::string name = contents.name_of(block.type->dimension, group);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
-  if (contents.has_entities) {
-    if (const auto found = contents.groups.find(block.entity); found != contents.groups.end())
-      for (const std::int64_t group : found->second) add(group);
-  } else if (block.group != 0) {
-    add(block.group);
-  }
-  return names;
-}
-
 /// Adds the elements of blocks to a description, with the names of their groups.
 class ElementAdder {
  public:
-  ElementAdder(const MshContents& contents, MeshDescription& mesh) : contents_(contents), mesh_(mesh) {}
+  ElementAdder(const MshContents& contents, MeshDescription& mesh)
+      : contents_(contents), mesh_(mesh), group_names_(contents, mesh.use) {}
 
   void add_cells(const MshBlock& block) {
-    const std::vector<std::string> names = block_names(contents_, block);
+    const std::vector<std::string>& names = group_names_.of_cells(block);
     std::int32_t region = none;
     if (!names.empty()) {
       const std::string first = mesh_.cell_kind() + " " + std::to_string(contents_.element_label[block.first]);
@@ -63,9 +49,9 @@ class ElementAdder {
     }
   }
 
-  /// A facet of several groups comes with each of their names; name_facets chooses.
+  /// A facet of several groups comes with each of the names that count; name_facets chooses.
   void add_facets(const MshBlock& block) {
-    for (const std::string& name : block_names(contents_, block)) {
+    for (const std::string& name : group_names_.of_facets(block)) {
       const std::int32_t boundary = index_of(name, mesh_.boundary_names, boundary_index_);
       for (std::size_t element = 0; element < block.num_elements; ++element) {
         NamedFacet facet{{none, none, none}, boundary};
@@ -90,6 +76,7 @@ class ElementAdder {
 
   const MshContents& contents_;
   MeshDescription& mesh_;
+  GroupNames group_names_;
   NameIndex region_index_, boundary_index_;
 };
 

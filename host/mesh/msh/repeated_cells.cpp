@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <span>
 
 #include "host/mesh/insertion_sort.hpp"
@@ -36,13 +37,14 @@ bool has_several_regions(const MeshDescription& mesh) {
 
 /// Marks those of the cells `run`, which have the same corners, that repeat the first with another region.
 void merge_run(MeshDescription& mesh, std::span<const SortedCell> run, std::vector<bool>& is_dropped) {
-  std::vector<std::int32_t> regions;  // without those of no region
+  std::set<std::int32_t> known;
+  std::vector<std::int32_t> regions;  // without none, in the order of the file
   std::vector<std::string> names;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const std::int32_t region = mesh.cell_region[run[i].cell];
-    const bool is_known = std::find(regions.begin(), regions.end(), region) != regions.end();
-    is_dropped[run[i].cell] = i > 0 && !is_known;
-    if (region == none || is_known) continue;
+    const bool is_new = known.insert(region).second;
+    is_dropped[run[i].cell] = i > 0 && is_new;
+    if (region == none || !is_new) continue;
     regions.push_back(region);
     names.push_back(mesh.region_names[region]);
   }
