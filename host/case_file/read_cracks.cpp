@@ -75,8 +75,10 @@ std::vector<CrackPoint> read_points(const TableReader& reader, const SectionCont
 /// A side of a mesh file; whether it exists and lies inside is not known before the mesh is read.
 void read_side(const TableReader& reader, const SectionContext& context, CrackSettings& crack) {
   const DomainSettings& domain = context.domain;
-  crack.side = reader.text("side", Presence::required).value_or("");
+  const auto side = reader.text("side", Presence::required);
+  crack.side = side.value_or("");
   crack.side_location = reader.location("side");
+  if (side && side->empty()) reader.report("side", "is empty. Name a physical group of the mesh.");
   if (reader.has("points")) reader.report("points", "is given besides side. Remove one of them.");
   if (domain.dimension > 2)
     reader.report("side", "is for domain.dimension 1 and 2, which is " + std::to_string(domain.dimension) +

@@ -1,6 +1,7 @@
 #include "host/mesh/mesh_checks.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "host/mesh/doubled_sides.hpp"
 #include "host/mesh/point_finder.hpp"
@@ -99,6 +100,11 @@ void check_cells(const MeshDescription& description) {
     throw MeshError(description.source, "",
                     "there is no " + description.cell_kind() + " in the mesh, but \"dimension\" is " +
                         std::to_string(description.dimension) + ". Mesh the domain, or set the dimension.");
+  const std::size_t most_cells = std::numeric_limits<std::int32_t>::max() / (description.dimension + 1);
+  if (description.cells.size() > most_cells)
+    throw MeshError(description.source, "",
+                    "there are " + std::to_string(description.cells.size()) + " cells; at most " +
+                        std::to_string(most_cells) + " are possible. " + description.way_out("Mesh more coarsely."));
   for (int cell = 0; cell < static_cast<int>(description.cells.size()); ++cell) {
     const CellVertices& vertices = description.cells[cell];
     if (description.cell_region[cell] == none)
