@@ -46,15 +46,17 @@ class TemporaryFolder {
 
 RunResult run_on(const Simulation& simulation, const Device& device, const CompareCommand& command,
                  const fs::path& folder, const Interrupt& interrupt) {
-  const PreparedFolder prepared = prepare_result_folder(folder);
-  if (prepared.moved_aside)
-    std::cerr << "note: the older result in " << folder.string() << " is now in " << prepared.moved_aside->string()
-              << "\n";
-  std::cout << "running on " << device.name << "\n" << std::flush;
   RunOptions options;
   options.device = device;
   options.threads = command.input.threads;
-  options.folder = prepared.path;
+  options.folder = folder;
+  options.prepare_folder = [&] {
+    const PreparedFolder prepared = prepare_result_folder(folder);
+    if (prepared.moved_aside)
+      std::cerr << "note: the older result in " << folder.string() << " is now in " << prepared.moved_aside->string()
+                << "\n";
+    std::cout << "running on " << device.name << "\n" << std::flush;
+  };
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   options.report = [&](const Progress& now) { progress.update(now); };
   options.interrupted = [&] { return interrupt.requested(); };

@@ -26,14 +26,16 @@ fs::path resumed_folder(const RunCommand& command) {
   return folder;
 }
 
-fs::path ready_folder(const RunCommand& command) {
+fs::path result_folder(const RunCommand& command) {
   if (command.resume) return resumed_folder(command);
-  const PreparedFolder folder =
-      prepare_result_folder(command.out ? *command.out : default_result_folder(command.input.case_file));
-  if (folder.moved_aside)
-    std::cerr << "note: the older result in " << folder.path.string() << " is now in " << folder.moved_aside->string()
-              << "\n";
-  return folder.path;
+  return command.out ? *command.out : default_result_folder(command.input.case_file);
+}
+
+void make_folder(const fs::path& folder) {
+  const PreparedFolder prepared = prepare_result_folder(folder);
+  if (prepared.moved_aside)
+    std::cerr << "note: the older result in " << prepared.path.string() << " is now in "
+              << prepared.moved_aside->string() << "\n";
 }
 
 /// As a shell takes it.
@@ -69,8 +71,11 @@ int run_command(const RunCommand& command) {
   options.threads = command.input.threads;
   options.check = command.check;
   options.resume = command.resume;
-  options.folder = ready_folder(command);
-  if (!command.quiet) std::cout << header_text(simulation, options.device, options.threads) << std::flush;
+  options.folder = result_folder(command);
+  options.prepare_folder = [&] {
+    if (!command.resume) make_folder(options.folder);
+    if (!command.quiet) std::cout << header_text(simulation, options.device, options.threads) << std::flush;
+  };
 
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
