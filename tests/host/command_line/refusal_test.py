@@ -84,7 +84,7 @@ class Refusal(ProgramTest):
     def test_probe_outside_the_domain_of_a_mesh_file(self):
         probes = '[[output.probe]]\nname = "in"\npoint = [0.5, 0.5]\n[[output.probe]]\nname = "out"\npoint = [1.1, 0.5]\n'
         self.assertEqual(self.both_refuse(SQUARE + probes),
-                         "case.toml:26: output.probe[2].point = [1.1, 0.5]: lies in no cell of the mesh. "
+                         "case.toml:25: output.probe[2].point = [1.1, 0.5]: lies in no cell of the mesh. "
                          "Give a point inside the domain.\n")
 
     def test_probe_on_the_boundary_of_a_mesh_file_is_inside(self):
@@ -92,7 +92,7 @@ class Refusal(ProgramTest):
 
     def test_crack_outside_the_domain_of_a_mesh_file(self):
         message = self.both_refuse(SQUARE + FRACTURE + "[[fracture.crack]]\npoints = [[0.5, 0.5], [0.5, 1.5]]\ndamage = 1\n")
-        self.assertIn("case.toml:26: fracture.crack[1].points = ", message)
+        self.assertIn("case.toml:27: fracture.crack[1].points = ", message)
         self.assertIn("crack 1 at (0.5, 1.5) m lies outside the domain", message)
 
     def test_expressions_that_are_not_finite_from_the_start(self):
@@ -115,7 +115,7 @@ class Refusal(ProgramTest):
 
     def test_time_that_takes_more_tents_than_there_can_be(self):
         message = self.both_refuse(BAR, "--set", "time.end=1e90")
-        self.assertRegex(message, r"time.end = 1e\+?90: takes about 2.\d+e\+93 tents, .* Give an earlier end")
+        self.assertRegex(message, r"time.end = 1e\+90: takes about 4.42105e\+92 tents, .* Give an earlier end")
         self.assertIn("front.causality is 1e-50", self.both_refuse(BAR, "--set", "front.causality=1e-50"))
 
     def test_more_defects_in_a_cell_than_can_be_searched(self):
