@@ -48,7 +48,7 @@ class FirstTents {
     for (int cell = 0; cell < mesh_.num_cells(); ++cell)
       for (int facet = 0; facet <= dimension; ++facet) {
         const std::int32_t boundary = mesh_.facet_boundary[cell][facet];
-        if (boundary != none && !simulation_.conditions[boundary].is_zero()) loaded.push_back({cell, facet});
+        if (boundary != none && has_data(simulation_.conditions[boundary])) loaded.push_back({cell, facet});
       }
     const int step = stride(std::ssize(loaded), data_.num_facet_points() * dimension);
     for (std::size_t i = 0; i < loaded.size(); i += step) {
@@ -59,6 +59,9 @@ class FirstTents {
   }
 
  private:
+  /// An absorbing side takes the initial state, unless it has a far field of its own.
+  static bool has_data(const BoundaryCondition& condition) { return condition.is_absorbing() || !condition.is_zero(); }
+
   /// The element over a cell whose pole stands on this corner.
   ElementDescriptor tent(int cell, int pole) const {
     ElementDescriptor element = initial_element(simulation_, cell);
