@@ -6,6 +6,7 @@
 #include "host/command_line/run_report.hpp"
 #include "host/command_line/text_table.hpp"
 #include "host/fracture/strength_distribution.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/solver/memory_need.hpp"
 #include "host/solver/run.hpp"
 #include "host/solver/tent_estimate.hpp"
@@ -105,8 +106,8 @@ std::string work_text(const Simulation& simulation, int num_threads) {
   const double peak = memory_need(settings, simulation.mesh.num_vertices(), simulation.mesh.num_cells()).peak();
   const std::string about = tents.is_exact ? "" : "about ";
   const bool keeps_mesh = !settings.adaptivity.enabled && !settings.fracture.enabled;
-  Rows rows{{"patches",
-             about + estimate_text(tents.patches) + ", at most " + std::to_string(tents.largest_patch) + " elements each"},
+  Rows rows{{"patches", about + estimate_text(tents.patches) + ", at most " + std::to_string(tents.largest_patch) +
+                            " elements each"},
             {"elements", about + estimate_text(tents.elements)},
             {"unknowns", about + estimate_text(tents.elements * num_unknowns)},
             {"memory", bytes_text(store) + " for the elements below the front, " + bytes_text(scratch) +
@@ -129,7 +130,7 @@ int check_command(const CheckCommand& command) {
   prepare_run(simulation, options);
   const int num_threads = input.threads > 0 ? input.threads : options.device.num_threads;
   std::cout << header_text(simulation, options.device, num_threads) << materials_text(simulation)
-            << boundaries_text(simulation) << work_text(simulation, num_threads) << input.case_file.string()
+            << boundaries_text(simulation) << work_text(simulation, num_threads) << printable(input.case_file.string())
             << " is valid\n";
   return 0;
 }

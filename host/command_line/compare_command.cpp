@@ -13,6 +13,7 @@
 #include "host/command_line/result_folder.hpp"
 #include "host/command_line/run_report.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/solver/run.hpp"
 
 namespace tentpole {
@@ -53,8 +54,8 @@ RunResult run_on(const Simulation& simulation, const Device& device, const Compa
   options.prepare_folder = [&] {
     const PreparedFolder prepared = prepare_result_folder(folder);
     if (prepared.moved_aside)
-      std::cerr << "note: the older result in " << folder.string() << " is now in " << prepared.moved_aside->string()
-                << "\n";
+      std::cerr << "note: the older result in " << printable(folder.string()) << " is now in "
+                << printable(prepared.moved_aside->string()) << "\n";
     std::cout << "running on " << device.name << "\n" << std::flush;
   };
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));

@@ -6,6 +6,7 @@
 #include "host/command_line/quantity.hpp"
 #include "host/command_line/result_folder.hpp"
 #include "host/command_line/run_report.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/solver/run.hpp"
 
 namespace tentpole {
@@ -34,15 +35,21 @@ fs::path result_folder(const RunCommand& command) {
 void make_folder(const fs::path& folder) {
   const PreparedFolder prepared = prepare_result_folder(folder);
   if (prepared.moved_aside)
-    std::cerr << "note: the older result in " << prepared.path.string() << " is now in "
-              << prepared.moved_aside->string() << "\n";
+    std::cerr << "note: the older result in " << printable(prepared.path.string()) << " is now in "
+              << printable(prepared.moved_aside->string()) << "\n";
 }
 
-/// As a shell takes it.
+/// As a shell takes it; letters that a terminal must not see appear as escapes in $'..'.
 std::string quoted(const std::string& text) {
   if (text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,") ==
       std::string::npos)
     return text;
+  if (printable(text) != text) {
+    std::string escaped;
+    for (const char letter : text)
+      escaped += letter == '\'' || letter == '\\' ? std::string("\\") + letter : std::string(1, letter);
+    return "$'" + printable(escaped) + "'";
+  }
   std::string result = "'";
   for (const char letter : text) result += letter == '\'' ? "'\\''" : std::string(1, letter);
   return result + "'";
