@@ -123,13 +123,16 @@ class Patches {
   Patches(int dimension, int degree, const Device& device) : batch_(batch_of(dimension, degree)), device_(device) {}
 
   void run(int num_threads) {
-    if (!run_ || num_threads != num_threads_) run_ = std::make_unique<PatchRun>(batch_, device_, num_threads);
+    if (!run_ || num_threads != num_threads_) run_ = std::make_unique<PatchRun>(batch_, device_, shape_of(num_threads));
     num_threads_ = num_threads;
     run_->solve();
   }
   double error() { return run_->error(); }
 
  private:
+  /// Threads, or as many teams of a GPU.
+  LaunchShape shape_of(int num_workers) const { return {num_workers, device_shape(device_, 0).lanes}; }
+
   const TentBatch& batch_;
   Device device_;
   std::unique_ptr<PatchRun> run_;

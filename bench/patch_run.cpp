@@ -5,30 +5,15 @@
 #include "bench/sample_patches.hpp"
 
 namespace tentpole {
-namespace {
 
-constexpr int gpu_lanes = 128;
-
-}  // namespace
-
-PatchRun::PatchRun(TentBatch batch, const Device& device, int workers)
-    : batch_(std::move(batch)),
-      device_(device),
-      tents_(batch_, device),
-      scratch_(device, traffic_),
-      cycles_(device, traffic_) {
+PatchRun::PatchRun(TentBatch batch, const Device& device, LaunchShape shape)
+    : batch_(std::move(batch)), device_(device), tents_(batch_, device), scratch_(device, traffic_, shape) {
   task_.batch = tents_.view();
   task_.tables = tents_.tables();
-  task_.shape = {workers, device.kind == DeviceKind::gpu ? gpu_lanes : 1};
-  task_.scratch_stride = patch_scratch_size(task_.tables, batch_.patches, task_.shape.lanes);
-  scratch_.resize_discarding(task_.scratch_stride * workers);
-  cycles_.resize_discarding(workers);
-  cycles_.upload(std::vector<StageCycles>(workers));
-  task_.scratch = scratch_.pointer();
-  task_.cycles = cycles_.pointer();
 }
 
 void PatchRun::solve() {
+  scratch_.prepare(batch_.patches, task_);
   if (device_.is_host) {
     solve_patches_host(task_);
   } else {
@@ -39,6 +24,17 @@ void PatchRun::solve() {
 double PatchRun::error() {
   tents_.download(batch_);
   return polynomial_error(batch_, static_cast<int>(batch_.elements.size()));
+}
+
+double PatchRun::flops() const {
+  double flops = 0;
+  for (std::size_t e = 0; e < batch_.elements.size(); ++e) {
+    int ports = 0;
+    for (int facet = 0; facet <= batch_.dimension + 1; ++facet)
+      ports += is_shared(batch_.elements[e].facet_kind[facet]);
+    flops += flops_per_element(tents_.tables(), ports, batch_.records[e].num_iterations);
+  }
+  return flops;
 }
 
 }  // namespace tentpole

@@ -1,10 +1,12 @@
 #include "device/device.hpp"
 
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 
 #include <omp.h>
 
+#include "device/gpu_driver.hpp"
 #include "device/target_runtime.hpp"
 
 namespace tentpole {
@@ -35,6 +37,32 @@ std::string why_no_device() {
   return "no device: libomptarget.so, the OpenMP offloading runtime, found none that runs this program's images. ";
 }
 
+/// OpenMP lists the GPUs in the order of their driver, so the n-th GPU of one is the n-th of the other.
+int gpu_number(const std::vector<Device>& devices, int device_number) {
+  int gpu = 0;
+  for (const Device& device : devices) gpu += device.kind == DeviceKind::gpu && device.number < device_number;
+  return gpu;
+}
+
+void add_driver_facts(Device& device, int gpu) {
+  const std::vector<Gpu>& gpus = gpu_driver().gpus;
+  if (gpu >= static_cast<int>(gpus.size())) return;
+  device.name += ": " + gpus[gpu].name;
+  device.num_multiprocessors = gpus[gpu].num_multiprocessors;
+}
+
+/// What the kernel thinks can be used without swapping.
+std::optional<std::int64_t> free_host_memory() {
+  std::ifstream lines("/proc/meminfo");
+  std::string name;
+  std::int64_t kibibytes = 0;
+  while (lines >> name >> kibibytes) {
+    if (name == "MemAvailable:") return 1024 * kibibytes;
+    lines.ignore(80, '\n');
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Device host_device() {
@@ -45,9 +73,23 @@ std::vector<Device> available_devices() {
   std::vector<Device> devices;
   for (int number = 0; number < target_runtime::num_devices(); ++number) {
     const target_runtime::Probe probe = target_runtime::probe(number);
-    if (!probe.ran_on_host) devices.push_back({number, false, probe.kind, kind_name(probe.kind), probe.num_threads});
+    if (probe.ran_on_host) continue;
+    Device device{number, false, probe.kind, kind_name(probe.kind), probe.num_threads};
+    if (device.kind == DeviceKind::gpu) add_driver_facts(device, gpu_number(devices, number));
+    devices.push_back(device);
   }
   return devices;
+}
+
+std::optional<std::int64_t> free_memory(const Device& device) {
+  if (device.kind != DeviceKind::gpu) return free_host_memory();
+  return free_gpu_memory(gpu_number(available_devices(), device.number));
+}
+
+std::vector<std::string> unused_gpus() {
+  int num_used = 0;
+  for (const Device& device : available_devices()) num_used += device.kind == DeviceKind::gpu;
+  return unused_gpus(gpu_driver(), target_runtime::image_architecture(), num_used);
 }
 
 Device select_device(std::optional<int> number) {

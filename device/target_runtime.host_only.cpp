@@ -16,6 +16,10 @@ bool has_device_images() {
   return false;
 }
 
+int image_architecture() {
+  return 0;
+}
+
 int num_devices() {
   return 0;
 }

@@ -15,6 +15,9 @@ namespace tentpole::target_runtime {
 /// Whether this build carries device images.
 bool has_device_images();
 
+/// Compute capability that this build's GPU image is made for, times ten (90 for sm_90); 0 without a GPU image.
+int image_architecture();
+
 int num_devices();
 
 /// What a target region sent to a device found there.

@@ -33,6 +33,14 @@ bool has_device_images() {
   return true;
 }
 
+int image_architecture() {
+#ifdef TENTPOLE_IMAGE_ARCHITECTURE
+  return TENTPOLE_IMAGE_ARCHITECTURE;
+#else
+  return 0;
+#endif
+}
+
 int num_devices() {
   return omp_get_num_devices();
 }

@@ -50,8 +50,9 @@ void share_on_cpu_device(int num_items, int chunk, const Work& work) {
 
 template <class Work>
 void loop_on_cpu_device(const LaunchShape shape, int num_items, int chunk, const Work work, int device_number) {
+  const int workers = shape.workers;  // a number travels with the launch, a struct would be mapped there and back
 #pragma omp target teams num_teams(1) device(device_number) firstprivate(work)
-#pragma omp parallel num_threads(shape.workers)
+#pragma omp parallel num_threads(workers)
   share_on_cpu_device(num_items, chunk, work);
 }
 

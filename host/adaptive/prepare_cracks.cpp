@@ -17,6 +17,13 @@ class CrackFitter {
   CrackFitter(AdaptiveState& state, Refinement& refinement, int number)
       : state_(state), refinement_(refinement), number_(number) {}
 
+  /// The edges of a side, as long as nothing has cut them.
+  void mark_side(const CrackSettings& crack) {
+    for (const InnerSide& side : state_.books.simulation.mesh.inner_sides)
+      for (std::size_t facet = 0; side.name == crack.side && facet < side.facets.size(); ++facet)
+        mark(side.facets[facet][0], side.facets[facet][mesh().dimension() - 1], crack.damage);
+  }
+
   void fit(const CrackSettings& crack) {
     std::vector<Point> corners;
     for (Point point : crack.points) {
@@ -122,10 +129,18 @@ class CrackFitter {
 }  // namespace
 
 void prepare_cracks(AdaptiveState& state) {
+  const std::vector<CrackSettings>& cracks = state.books.simulation.settings.fracture.cracks;
   Refinement refinement(state);
-  int number = 0;
-  for (const CrackSettings& crack : state.books.simulation.settings.fracture.cracks)
-    CrackFitter(state, refinement, ++number).fit(crack);
+  // Sides first: the cuts for lines may halve their edges, which then stay marked.
+  for (const bool is_side : {true, false})
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+      CrackFitter fitter(state, refinement, static_cast<int>(i) + 1);
+      if (cracks[i].side.empty() == is_side) continue;
+      if (is_side)
+        fitter.mark_side(cracks[i]);
+      else
+        fitter.fit(cracks[i]);
+    }
   refinement.flush();
   state.counts.splits = 0;
 }

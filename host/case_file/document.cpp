@@ -1,11 +1,13 @@
 #include "host/case_file/document.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "host/case_file/number_text.hpp"
+#include "host/mesh/toml_name.hpp"
 
 // toml++ 3.3.0 takes for granted that a key follows "[", so "[#" is undefined behaviour in an optimised build
 // (2026-11). Its assumptions throw here instead. No other file may include toml++, or two versions of it would be
@@ -90,7 +92,7 @@ Node convert(const toml::node& source, std::string name, SourceLocation location
   if (const toml::table* table = source.as_table()) {
     for (const auto& [key, child] : *table) {
       SourceLocation place = parent;
-      place.key += (place.key.empty() ? "" : ".") + std::string(key.str());
+      place.key += (place.key.empty() ? "" : ".") + toml_key(std::string(key.str()));
       node.children.push_back(convert(child, std::string(key.str()), place));
     }
   } else if (const toml::array* array = source.as_array()) {
@@ -150,29 +152,58 @@ SourceLocation nameless_header(const std::string& text, const std::string& file)
   return {file, 0, 0, "", ""};
 }
 
+/// Where the first "=" outside quotation marks stands.
+std::size_t find_equals(const std::string& text) {
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"') is_quoted = !is_quoted;
+    if (text[at] == '=' && !is_quoted) return at;
+  }
+  return text.find('=');
+}
+
+/// The names of a dotted key, which may be quoted as in TOML; none if it is no key.
+std::vector<std::string> split_key(const std::string& key) {
+  std::vector<std::string> names;
+  if (key.find('"') == std::string::npos) {
+    std::istringstream path(key);
+    for (std::string name; std::getline(path, name, '.');) names.push_back(name);
+    return !key.empty() && key.back() != '.' && std::ranges::count(names, "") == 0 ? names : std::vector<std::string>{};
+  }
+  try {
+    const toml::table parsed = toml::parse(key + " = 0");
+    for (const toml::table* table = &parsed; table && table->size() == 1; table = table->begin()->second.as_table())
+      names.emplace_back(table->begin()->first.str());
+  } catch (const toml::parse_error&) {
+    names.clear();
+  } catch (const TomlAssumptionFailed&) {
+    names.clear();
+  }
+  return names;
+}
+
 /// Replaces or adds the value that "section.key=value" names.
 void apply_override(Node& root, const std::string& text, std::vector<Problem>& problems) {
-  const auto equals = text.find('=');
+  const auto equals = find_equals(text);
   const std::string key = text.substr(0, equals);
+  const std::vector<std::string> names = split_key(key);
   const SourceLocation place{"--set", 0, 0, text, ""};
-  if (equals == std::string::npos || key.empty() || key.front() == '.' || key.back() == '.' ||
-      key.find("..") != std::string::npos) {
+  if (equals == std::string::npos || names.empty()) {
     problems.push_back({place, "is no override. Write --set section.key=value, e.g. --set time.end=1e-6."});
     return;
   }
-  std::istringstream path(key);
-  std::string name, prefix;
+  std::string prefix;
   Node* node = &root;
-  while (std::getline(path, name, '.')) {
+  for (const std::string& name : names) {
     if (node->kind != Node::Kind::table) {
       problems.push_back({place, prefix + " is " + kind_name(node->kind) +
                                      ", not a table, so nothing inside it can be set. Change it in the file."});
       return;
     }
-    prefix += (prefix.empty() ? "" : ".") + name;
+    prefix += (prefix.empty() ? "" : ".") + toml_key(name);
     node = &child_or_new(*node, name, prefix);
   }
-  *node = override_value(text.substr(equals + 1), name, key);
+  *node = override_value(text.substr(equals + 1), names.back(), key);
 }
 
 }  // namespace

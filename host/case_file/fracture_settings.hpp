@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
+
+#include "host/case_file/input_error.hpp"
 
 namespace tentpole {
 
@@ -33,6 +36,8 @@ struct NucleationSettings {
 struct CrackSettings {
   std::vector<std::array<double, 3>> points;  ///< [m], corners of the polyline; D = 1: one point
   double damage = 0;                          ///< in [0, 1]: 1 is an open crack, 0 a line along which damage may grow
+  std::string side{};                         ///< instead of points: a side inside the body, by name
+  SourceLocation side_location{};
 };
 
 /// [fracture]

@@ -5,6 +5,7 @@
 #include "common/simplex.hpp"
 #include "host/case_file/case.hpp"
 #include "host/case_file/sections.hpp"
+#include "host/mesh/toml_name.hpp"
 
 namespace tentpole {
 namespace {
@@ -108,9 +109,9 @@ Material Case::material(const std::string& region) const {
   if (found == materials.end() && materials.size() == 1) found = materials.find("all");
   if (found != materials.end()) return elastic_material(found->second, domain.dimension);
   std::string given;
-  for (const auto& [name, properties] : materials) given += (given.empty() ? "" : ", ") + name;
-  throw InputError(path.string() + ": region \"" + region + "\" of the mesh has no material. Give [material." + region +
-                   "]; given: " + given + ".");
+  for (const auto& [name, properties] : materials) given += (given.empty() ? "" : ", ") + toml_key(name);
+  throw InputError(path.string() + ": region " + toml_string(region) + " of the mesh has no material. Give [material." +
+                   toml_key(region) + "]; given: " + given + ".");
 }
 
 void set_seed(Case& settings, std::uint64_t seed) {

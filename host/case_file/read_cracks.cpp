@@ -46,33 +46,60 @@ void check_segment(const TableReader& reader, const Node& node, const DomainSett
                   "makes a crack along a side of the box, where there is nothing to separate from. Move it inwards.");
 }
 
-CrackSettings read_crack(const TableReader& reader, const SectionContext& context) {
-  CrackSettings crack;
-  reader.allow_only({"points", "damage"});
-  crack.damage = reader
-                     .number("damage", Presence::required,
-                             from_to(0, 1, "Give 1 for an open crack, 0 for a line along which damage may grow."))
-                     .value_or(0);
+/// The corners of the polyline, or the point of a bar.
+std::vector<CrackPoint> read_points(const TableReader& reader, const SectionContext& context) {
+  std::vector<CrackPoint> corners;
   const Node* points = reader.find("points");
   const int dimension = context.domain.dimension;
   const bool is_array = points && points->kind == Node::Kind::array;
   if (dimension == 1 && (!is_array || points->children.size() != 1)) {
     reader.report("points", "must be an array of one point, because domain.dimension is 1. Write points = [[x]].");
-    return crack;
+    return corners;
   }
   if (dimension != 1 && (!is_array || points->children.size() < 2)) {
     reader.report("points", "must be an array of at least 2 points. Give the corners of the polyline.");
-    return crack;
+    return corners;
   }
-  if (dimension == 0) return crack;
+  if (dimension == 0) return corners;
   std::optional<CrackPoint> previous;
   for (const Node& node : points->children) {
     const auto point = read_point(reader, node, context.domain);
     if (point && (previous || dimension == 1))
       check_segment(reader, node, context.domain, previous.value_or(*point), *point);
-    if (point) crack.points.push_back(*point);
+    if (point) corners.push_back(*point);
     previous = point;
   }
+  return corners;
+}
+
+/// A side of a mesh file; whether it exists and lies inside is not known before the mesh is read.
+void read_side(const TableReader& reader, const SectionContext& context, CrackSettings& crack) {
+  const DomainSettings& domain = context.domain;
+  const auto side = reader.text("side", Presence::required);
+  crack.side = side.value_or("");
+  crack.side_location = reader.location("side");
+  if (side && side->empty()) reader.report("side", "is empty. Name a physical group of the mesh.");
+  if (reader.has("points")) reader.report("points", "is given besides side. Remove one of them.");
+  if (domain.dimension > 2)
+    reader.report("side", "is for domain.dimension 1 and 2, which is " + std::to_string(domain.dimension) +
+                              ". Remove the crack.");
+  else if (domain.dimension > 0 && domain.is_box())
+    reader.report("side",
+                  "names a side inside the body, but a generated box has sides on its boundary only, where there is "
+                  "nothing to separate from. Give points instead.");
+}
+
+CrackSettings read_crack(const TableReader& reader, const SectionContext& context) {
+  CrackSettings crack;
+  reader.allow_only({"points", "side", "damage"});
+  crack.damage = reader
+                     .number("damage", Presence::required,
+                             from_to(0, 1, "Give 1 for an open crack, 0 for a line along which damage may grow."))
+                     .value_or(0);
+  if (reader.has("side"))
+    read_side(reader, context, crack);
+  else
+    crack.points = read_points(reader, context);
   return crack;
 }
 

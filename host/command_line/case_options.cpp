@@ -20,12 +20,10 @@ void limit_threads(int threads) {
 }  // namespace
 
 Simulation read_simulation(const CaseOptions& options) {
-  const int num_threads = omp_get_max_threads();
+  limit_threads(options.threads > 0 ? options.threads : omp_get_max_threads());
   Case settings = read_case(options.case_file, options.overrides);
   if (options.seed) set_seed(settings, *options.seed);
   Simulation simulation = make_simulation(std::move(settings));
-  // Only now: Gmsh, which reads mesh files, sets the number of threads to 1 and may bring a BLAS.
-  limit_threads(options.threads > 0 ? options.threads : num_threads);
   for (const std::string& warning : simulation.warnings) std::cerr << "warning: " << warning << "\n";
   return simulation;
 }
@@ -33,7 +31,10 @@ Simulation read_simulation(const CaseOptions& options) {
 Device choose_device(bool offload, std::optional<int> number) {
   if (!offload && !number) return host_device();
   try {
-    return select_device(number);
+    const Device device = select_device(number);
+    if (!number && device.kind != DeviceKind::gpu)
+      for (const std::string& reason : unused_gpus()) std::cerr << "warning: " << reason << "\n";
+    return device;
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   }

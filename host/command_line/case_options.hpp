@@ -24,8 +24,8 @@ struct CaseOptions {
 /// Throws InputError or MeshError.
 Simulation read_simulation(const CaseOptions& options);
 
-/// The host, or with `offload` or a number the device that select_device chooses. Throws InputError, with the way out,
-/// if there is no such device.
+/// The host, or with `offload` or a number the device that select_device chooses; a warning on stderr where `offload`
+/// leaves a GPU of this machine unused. Throws InputError, with the way out, if there is no such device.
 Device choose_device(bool offload, std::optional<int> number);
 
 }  // namespace tentpole

@@ -14,14 +14,24 @@
 namespace tentpole {
 namespace {
 
-std::vector<std::string> row(const Device& device) {
+/// A row for the device, of which `count` follow each other.
+std::vector<std::string> row(const Device& device, int count) {
   const DeviceRates rates = measure_device(device);
-  return {device.is_host ? "-" : std::to_string(device.number),
+  const std::string first = std::to_string(device.number), last = std::to_string(device.number + count - 1);
+  return {device.is_host ? "-" : (count == 1 ? first : first + "-" + last),
           device.name,
           count_text(device.num_threads),
           bytes_text(rates.to_device) + "/s",
           bytes_text(rates.from_device) + "/s",
           short_number(rates.launch * 1e6) + " us"};
+}
+
+/// The runtime lists the processor several times as a virtual device: how many of them begin at `first`.
+int same_processor(const std::vector<Device>& devices, std::size_t first) {
+  std::size_t end = first + 1;
+  if (devices[first].kind == DeviceKind::virtual_cpu)
+    while (end < devices.size() && devices[end].kind == DeviceKind::virtual_cpu) ++end;
+  return static_cast<int>(end - first);
 }
 
 /// Measured and modelled times of one loop on 1 to twice the hardware threads, side by side.
@@ -54,10 +64,15 @@ int write_calibration(const std::filesystem::path& file) {
 int devices_command(const std::optional<std::filesystem::path>& calibrate) {
   if (calibrate) return write_calibration(calibrate->empty() ? "machine.toml" : *calibrate);
   std::vector<std::vector<std::string>> rows{{"number", "device", "threads", "copy to", "copy from", "launch"}};
-  rows.push_back(row(host_device()));
+  rows.push_back(row(host_device(), 1));
   const std::vector<Device> devices = available_devices();
-  for (const Device& device : devices) rows.push_back(row(device));
+  for (std::size_t i = 0; i < devices.size();) {
+    const int count = same_processor(devices, i);
+    rows.push_back(row(devices[i], count));
+    i += count;
+  }
   std::cout << text_table(rows, "rlrrrr");
+  for (const std::string& reason : unused_gpus()) std::cout << reason << "\n";
   if (!devices.empty()) {
     std::cout << "`tentpole run CASE --offload` takes device " << select_device(std::nullopt).number << "\n";
     return 0;

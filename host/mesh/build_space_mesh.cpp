@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <numeric>
 
+#include "host/mesh/doubled_sides.hpp"
 #include "host/mesh/insertion_sort.hpp"
 #include "host/mesh/mesh_checks.hpp"
 #include "host/mesh/mesh_description.hpp"
@@ -65,6 +67,26 @@ void fill_cells(const MeshDescription& description, const FacetTable& facets, co
       mesh.vertices.push_back(description.vertices[vertex]);
 }
 
+void fill_inner_sides(const MeshDescription& description, const FacetTable& facets, const PeriodicVertices& periodic,
+                      SpaceMesh& mesh) {
+  const std::vector<std::int32_t> id = number_representatives(periodic.representative);
+  std::vector<InnerSide> sides(description.boundary_names.size());
+  for (const NamedFacet& named : facets.inner) {
+    FacetVertices facet = named.vertices;
+    for (int i = 0; i < description.dimension; ++i) facet[i] = id[facet[i]];
+    insertion_sort(facet, description.dimension);
+    sides[named.boundary].facets.push_back(facet);
+  }
+  for (std::size_t boundary = 0; boundary < sides.size(); ++boundary) {
+    InnerSide& side = sides[boundary];
+    if (side.facets.empty()) continue;
+    side.name = description.boundary_names[boundary];
+    std::sort(side.facets.begin(), side.facets.end());
+    side.facets.erase(std::unique(side.facets.begin(), side.facets.end()), side.facets.end());
+    mesh.inner_sides.push_back(std::move(side));
+  }
+}
+
 /// Renumbers the boundaries so that only those with facets remain.
 void keep_boundaries_with_facets(SpaceMesh& mesh) {
   std::vector<std::int32_t> new_index(mesh.boundary_names.size(), none);
@@ -100,12 +122,14 @@ void fill_stars(SpaceMesh& mesh) {
 SpaceMesh build_space_mesh(MeshDescription description, const PeriodicPairs& periodic) {
   SpaceMesh mesh;
   drop_unused_vertices(description, mesh.warnings);
-  check_vertices(description);
+  check_coordinates(description);
+  merge_doubled_cracks(description);
+  check_places(description);
   check_cells(description);
   for (CellVertices& cell : description.cells) insertion_sort(cell, description.dimension + 1);
   FacetTable facets = match_facets(description);
   check_cells_do_not_overlap(description, facets);
-  name_boundary_facets(description, facets, mesh.warnings);
+  name_facets(description, facets, mesh.warnings);
   check_boundary_is_named(description, facets);
   const PeriodicVertices identified = identify_periodic_sides(description, periodic, facets);
   mesh.dimension = description.dimension;
@@ -114,6 +138,7 @@ SpaceMesh build_space_mesh(MeshDescription description, const PeriodicPairs& per
   mesh.boundary_names = description.boundary_names;
   mesh.shifts = identified.shifts;
   fill_cells(description, facets, identified, mesh);
+  fill_inner_sides(description, facets, identified, mesh);
   keep_boundaries_with_facets(mesh);
   fill_stars(mesh);
   return mesh;

@@ -8,6 +8,15 @@ std::int64_t number_of(const std::vector<std::int64_t>& numbers, int index) {
   return numbers.empty() ? index : numbers[index];
 }
 
+template <typename Value>
+void keep_only(std::vector<Value>& values, const std::vector<std::int32_t>& new_index) {
+  if (values.empty()) return;
+  std::size_t num_kept = 0;
+  for (std::size_t i = 0; i < new_index.size(); ++i)
+    if (new_index[i] != none) values[num_kept++] = values[i];
+  values.resize(num_kept);
+}
+
 }  // namespace
 
 std::string MeshDescription::cell_kind() const {
@@ -27,6 +36,20 @@ std::string MeshDescription::facet_label(const FacetVertices& facet) const {
   std::string label = dimension == 2 ? "edge (" : "facet (";
   for (int i = 0; i < dimension; ++i) label += (i > 0 ? ", " : "") + std::to_string(number_of(vertex_number, facet[i]));
   return label + ")";
+}
+
+void renumber_vertices(MeshDescription& description, const std::vector<std::int32_t>& new_index) {
+  std::erase_if(description.named_facets, [&](const NamedFacet& facet) {
+    for (int i = 0; i < description.dimension; ++i)
+      if (new_index[facet.vertices[i]] == none) return true;
+    return false;
+  });
+  for (NamedFacet& facet : description.named_facets)
+    for (int i = 0; i < description.dimension; ++i) facet.vertices[i] = new_index[facet.vertices[i]];
+  for (CellVertices& cell : description.cells)
+    for (int corner = 0; corner <= description.dimension; ++corner) cell[corner] = new_index[cell[corner]];
+  keep_only(description.vertices, new_index);
+  keep_only(description.vertex_number, new_index);
 }
 
 }  // namespace tentpole

@@ -5,19 +5,11 @@
 
 #include "host/mesh/insertion_sort.hpp"
 #include "host/mesh/simplex_geometry.hpp"
+#include "host/mesh/toml_name.hpp"
 
 namespace tentpole {
 
 namespace {
-
-/// A facet as its sorted vertices, with the cell it is seen from.
-struct FacetOfCell {
-  FacetVertices vertices;
-  std::int32_t cell;
-  std::int32_t facet;
-
-  auto operator<=>(const FacetOfCell&) const = default;
-};
 
 std::vector<FacetOfCell> sorted_facets(const MeshDescription& description) {
   std::vector<FacetOfCell> all;
@@ -55,6 +47,47 @@ bool lies_on_facet(const MeshDescription& description, const FacetVertices& face
   return area(a, b, point) + area(b, c, point) + area(c, a, point) <= area(a, b, c) * (1 + 1e-9);
 }
 
+/// Which names count before others where a facet has several.
+std::vector<bool> used_boundaries(const MeshDescription& description) {
+  std::vector<bool> is_used;
+  for (const std::string& name : description.boundary_names)
+    is_used.push_back(!description.use || description.use->has_boundary(name));
+  return is_used;
+}
+
+[[noreturn]] void throw_two_boundaries(const MeshDescription& description, const FacetVertices& facet, int boundary,
+                                       int other) {
+  const std::string &first = description.boundary_names[boundary], &second = description.boundary_names[other];
+  throw MeshError(description.source, description.facet_label(facet),
+                  "belongs to two boundaries, " + first + " and " + second +
+                      (description.use ? ", and both have a condition. Keep one of [boundary." + toml_key(first) +
+                                             "] and [boundary." + toml_key(second) + "], or make the groups disjoint."
+                                       : ". Keep one physical group."));
+}
+
+/// Where a named facet lies: the cell that has it, or none.
+struct FacetPlace {
+  std::int32_t cell = none;
+  std::int32_t facet = none;
+  bool is_inside = false;  ///< between two cells
+};
+
+FacetPlace find_facet(const FacetTable& facets, const FacetVertices& vertices) {
+  const auto found = std::lower_bound(facets.sorted.begin(), facets.sorted.end(), FacetOfCell{vertices, 0, 0});
+  if (found == facets.sorted.end() || found->vertices != vertices) return {};
+  return {found->cell, found->facet, facets.neighbor[found->cell][found->facet] != none};
+}
+
+void check_crack_is_inside(const MeshDescription& description, const NamedFacet& crack, const FacetPlace& place) {
+  if (place.is_inside) return;
+  throw MeshError(description.source, description.facet_label(crack.vertices),
+                  "belongs to the crack " + description.boundary_names[crack.boundary] +
+                      (place.cell == none
+                           ? ", but to no cell. Fit the mesh to the crack (in Gmsh: embed its curve in the surface)."
+                           : ", but lies on the boundary of the body, where there is nothing to separate from. Name a "
+                             "side inside the body in [[fracture.crack]], or give points."));
+}
+
 }  // namespace
 
 FacetVertices facet_vertices(int dimension, const CellVertices& cell, int facet) {
@@ -67,9 +100,12 @@ FacetVertices facet_vertices(int dimension, const CellVertices& cell, int facet)
 FacetTable match_facets(const MeshDescription& description) {
   const std::size_t num_cells = description.cells.size();
   const CellVertices absent{none, none, none, none};
-  FacetTable table{std::vector(num_cells, absent), {}, std::vector(num_cells, absent)};
+  FacetTable table;
+  table.neighbor.assign(num_cells, absent);
   table.neighbor_facet.resize(num_cells);
-  const std::vector<FacetOfCell> all = sorted_facets(description);
+  table.boundary.assign(num_cells, absent);
+  table.sorted = sorted_facets(description);
+  const std::vector<FacetOfCell>& all = table.sorted;
   for (std::size_t first = 0; first < all.size();) {
     std::size_t end = first + 1;
     while (end < all.size() && all[end].vertices == all[first].vertices) ++end;
@@ -103,30 +139,30 @@ void check_cells_do_not_overlap(const MeshDescription& description, const FacetT
         throw MeshError(description.source,
                         description.cell_label(static_cast<int>(cell)) + " and " + description.cell_label(other),
                         "both lie on the same side of their common " + description.facet_label(vertices) +
-                            ", so one of them is inverted. Repair the mesh (in Gmsh: Optimize, or refine there).");
+                            ", so one of them is inverted. " +
+                            description.way_out("Repair the mesh (in Gmsh: Optimize, or refine there)."));
     }
 }
 
-void name_boundary_facets(const MeshDescription& description, FacetTable& facets, std::vector<std::string>& warnings) {
-  const std::vector<FacetOfCell> all = sorted_facets(description);
+void name_facets(const MeshDescription& description, FacetTable& facets, std::vector<std::string>& warnings) {
+  const std::vector<bool> is_used = used_boundaries(description);
   int num_ignored = 0;
   std::string example;
   for (const NamedFacet& named : description.named_facets) {
     FacetVertices vertices = named.vertices;
     insertion_sort(vertices, description.dimension);
-    const auto found = std::lower_bound(all.begin(), all.end(), FacetOfCell{vertices, 0, 0});
-    const bool is_facet = found != all.end() && found->vertices == vertices;
-    if (!is_facet || facets.neighbor[found->cell][found->facet] != none) {
-      if (num_ignored++ == 0)
+    const FacetPlace place = find_facet(facets, vertices);
+    if (description.is_crack(named.boundary)) check_crack_is_inside(description, {vertices, named.boundary}, place);
+    if (place.is_inside) facets.inner.push_back({vertices, named.boundary});
+    if (place.cell == none || place.is_inside) {
+      if (!description.is_crack(named.boundary) && num_ignored++ == 0)
         example = description.facet_label(vertices) + " of " + description.boundary_names[named.boundary];
       continue;
     }
-    std::int32_t& boundary = facets.boundary[found->cell][found->facet];
-    if (boundary != none && boundary != named.boundary)
-      throw MeshError(description.source, description.facet_label(vertices),
-                      "belongs to two boundaries, " + description.boundary_names[boundary] + " and " +
-                          description.boundary_names[named.boundary] + ". Keep one physical group.");
-    boundary = named.boundary;
+    std::int32_t& boundary = facets.boundary[place.cell][place.facet];
+    if (boundary != none && boundary != named.boundary && is_used[boundary] && is_used[named.boundary])
+      throw_two_boundaries(description, vertices, boundary, named.boundary);
+    if (boundary == none || is_used[named.boundary]) boundary = named.boundary;
   }
   if (num_ignored > 0)
     warnings.push_back(description.source + ": " + std::to_string(num_ignored) +

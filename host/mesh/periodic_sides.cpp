@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -48,6 +49,18 @@ Side collect_side(const MeshDescription& description, const FacetTable& facets, 
   return side;
 }
 
+/// Within which partners are found: 1e-9 of the domain's longest side, and more where numbers of the size of its
+/// coordinates lie farther apart.
+double matching_tolerance(const MeshDescription& description) {
+  double largest = 0;
+  for (const Point& vertex : description.vertices)
+    for (const double coordinate : vertex) largest = std::max(largest, std::abs(coordinate));
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  const double usual = PointFinder::default_tolerance(description.vertices);
+  // No more than the finder's slots can bear; a domain that needs more has lost its shape to rounding.
+  return usual + std::min(rounding * largest, 1e4 * usual);
+}
+
 Point mean_position(const std::vector<Point>& positions) {
   Point mean{};
   for (const Point& position : positions)
@@ -60,14 +73,14 @@ Point mean_position(const std::vector<Point>& positions) {
                                  const std::string& entity) {
   throw MeshError(description.source, entity,
                   "on the periodic boundary " + from.name + " has no partner on " + to.name + " (" +
-                      std::to_string(from.facets.size()) + " and " + std::to_string(to.facets.size()) +
-                      " facets). Give both sides the same mesh (in Gmsh: Periodic Curve or Surface).");
+                      std::to_string(from.facets.size()) + " and " + std::to_string(to.facets.size()) + " facets). " +
+                      description.way_out("Give both sides the same mesh (in Gmsh: Periodic Curve or Surface)."));
 }
 
 /// The vertex of `to` that each vertex of `from` meets under the translation, by vertex of `from`.
 std::map<std::int32_t, std::int32_t> match_vertices(const MeshDescription& description, const Side& from,
                                                     const Side& to, const Point& translation) {
-  const PointFinder finder(to.positions, PointFinder::default_tolerance(description.vertices));
+  const PointFinder finder(to.positions, matching_tolerance(description));
   std::map<std::int32_t, std::int32_t> partner;
   for (std::size_t i = 0; i < from.vertices.size(); ++i) {
     Point target = from.positions[i];
@@ -141,7 +154,7 @@ PeriodicVertices identify_periodic_sides(const MeshDescription& description, con
       result.representative[std::max(root_a, root_b)] = std::min(root_a, root_b);
     }
   }
-  const double tolerance = 4 * PointFinder::default_tolerance(description.vertices);
+  const double tolerance = 4 * matching_tolerance(description);
   for (std::size_t vertex = 0; vertex < num_vertices; ++vertex) {
     const std::int32_t representative = root(result.representative, static_cast<std::int32_t>(vertex));
     result.representative[vertex] = representative;

@@ -16,7 +16,8 @@ struct PeriodicVertices {
 };
 
 /// Identifies the vertices and joins the facets of each pair of sides. The translation of a pair is the difference of
-/// the mean positions of its vertices; each vertex must then find its partner within 1e-9 of the domain's longest side.
+/// the mean positions of its vertices; each vertex must then find its partner within 1e-9 of the domain's longest side,
+/// or within rounding where the domain lies far from the origin.
 /// `facets` afterwards has neighbours across periodic facets, which lose their names.
 /// Throws MeshError for an unknown or empty side, sides that do not match, or a cell that would meet itself.
 PeriodicVertices identify_periodic_sides(const MeshDescription& description, const PeriodicPairs& periodic,

@@ -40,11 +40,12 @@ PointFinder::PointFinder(std::span<const Point> points, double tolerance) : poin
   const auto [low, high] = bounding_box(points);
   const double side = longest_side(low, high);
   origin_ = low;
-  slots_per_length_ = side > 0 ? (num_slots - 1) / side : 0;
+  // Finite even for a side that is no normal number: its product with a length must be a number.
+  slots_per_length_ = side > 0 ? std::min((num_slots - 1) / side, std::numeric_limits<double>::max()) : 0;
   entries_.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
-    entries_.emplace_back(pack(slot(p[0], 0), slot(p[1], 1), slot(p[2], 2)), static_cast<std::int32_t>(i));
+    entries_.push_back({pack(slot(p[0], 0), slot(p[1], 1), slot(p[2], 2)), p[0], static_cast<std::int32_t>(i)});
   }
   std::sort(entries_.begin(), entries_.end());
 }
@@ -65,13 +66,13 @@ std::int32_t PointFinder::find(const Point& position, std::int32_t except) const
     for (std::int64_t y = first[1]; y <= last[1]; ++y)
       for (std::int64_t z = first[2]; z <= last[2]; ++z) {
         const std::int64_t key = pack(x, y, z);
-        auto entry = std::lower_bound(entries_.begin(), entries_.end(), std::pair{key, std::int32_t{0}});
-        for (; entry != entries_.end() && entry->first == key; ++entry) {
-          const Point& point = points_[entry->second];
+        auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{key, position[0] - tolerance_, none});
+        for (; entry != entries_.end() && entry->slot == key && entry->x <= position[0] + tolerance_; ++entry) {
+          const Point& point = points_[entry->index];
           const bool same = std::abs(point[0] - position[0]) <= tolerance_ &&
                             std::abs(point[1] - position[1]) <= tolerance_ &&
                             std::abs(point[2] - position[2]) <= tolerance_;
-          if (same && entry->second != except && (found == none || entry->second < found)) found = entry->second;
+          if (same && entry->index != except && (found == none || entry->index < found)) found = entry->index;
         }
       }
   return found;

@@ -10,7 +10,8 @@
 namespace tentpole {
 
 /// Finds points by position, up to a tolerance that is small against their distances: points are sorted into 2^20 slots
-/// per axis of their bounding box, so even a strongly graded mesh has few points in a slot. O(log n) per question.
+/// per axis of their bounding box, and by x within a slot, should a point far from the others put them all into one.
+/// O(log n) per question.
 class PointFinder {
  public:
   /// Keeps a view of `points`. Distances up to `tolerance` count as equal (largest difference of a coordinate).
@@ -29,7 +30,14 @@ class PointFinder {
   double tolerance_;
   Point origin_{};
   double slots_per_length_ = 0;
-  std::vector<std::pair<std::int64_t, std::int32_t>> entries_;  ///< (slot of x, y, z packed; index), ascending
+  struct Entry {
+    std::int64_t slot;  ///< of x, y, z packed
+    double x;
+    std::int32_t index;
+
+    auto operator<=>(const Entry&) const = default;
+  };
+  std::vector<Entry> entries_;  ///< ascending
 };
 
 }  // namespace tentpole

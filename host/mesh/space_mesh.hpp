@@ -23,6 +23,12 @@ struct CellCorner {
   std::int32_t corner;
 };
 
+/// A named side inside the domain, between cells.
+struct InnerSide {
+  std::string name;
+  std::vector<std::array<std::int32_t, max_dimension>> facets;  ///< D vertex ids each, ascending; then `none`
+};
+
 /// A conforming simplicial mesh of the D-dimensional domain, D = 1..3. Corner i of a cell is its i-th vertex in
 /// ascending vertex id, facet i is opposite corner i; corners and facets beyond D are `none`. Cells have positive
 /// measure; their orientation is whatever the vertex ids give. Vertices that periodic boundaries identify are one
@@ -43,6 +49,7 @@ struct SpaceMesh {
   std::vector<Point> shifts;                                          ///< periodic translations; shifts[0] = 0
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;  ///< of the boundaries that have facets; periodic ones have none
+  std::vector<InnerSide> inner_sides;       ///< each name once; its facets on the boundary, if any, are not listed
   std::vector<std::int32_t> star_offset;    ///< [num_vertices + 1], CSR
   std::vector<CellCorner> star_entries;     ///< cells round a vertex, ascending cell
   std::vector<std::string> warnings;        ///< what was repaired on the way in, one sentence each

@@ -8,22 +8,11 @@
 #include "host/solver/dense_fallback.hpp"
 
 namespace tentpole {
-namespace {
-
-/// Threads that each solve whole patches on a CPU; teams of 128 lanes on a GPU.
-LaunchShape solver_shape(const Device& device, int threads) {
-  constexpr int gpu_teams = 1056, gpu_lanes = 128;
-  if (device.kind == DeviceKind::gpu) return {gpu_teams, gpu_lanes};
-  return {threads > 0 ? threads : device.num_threads, 1};
-}
-
-}  // namespace
-
 BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,
                          TrafficCounters& traffic)
     : simulation_(simulation),
       device_(device),
-      shape_(solver_shape(device, threads)),
+      shape_(device_shape(device, threads)),
       num_host_threads_(threads > 0 ? threads : omp_get_max_threads()),
       timer_(timer),
       traffic_(traffic),
@@ -46,8 +35,7 @@ BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int
       transplants_(device, traffic),
       slice_requests_(device, traffic),
       slice_energies_(device, traffic),
-      scratch_(device, traffic),
-      cycles_(device, traffic, shape_.workers),
+      scratch_(device, traffic, shape_),
       slots_(device, traffic) {
   tables_.upload(host_tables_.block());
   slice_tables_.upload(host_slice_tables_.block());
@@ -61,7 +49,7 @@ void BatchRunner::run(HostBatch& batch) {
     prepare_memory(batch);
     upload(batch);
   }
-  launch(batch);
+  launch();
   {
     ScopedStage stage(timer_, Stage::transfer);
     download(batch);
@@ -111,7 +99,6 @@ void BatchRunner::gather_wanted(HostBatch& batch) {
 }
 
 void BatchRunner::prepare_memory(const HostBatch& batch) {
-  const ReferenceTablesView tables = host_tables_.view();
   hold_slots(batch.num_slots);
   patches_.resize_discarding(std::ssize(batch.patches));
   elements_.resize_discarding(std::ssize(batch.elements));
@@ -119,11 +106,9 @@ void BatchRunner::prepare_memory(const HostBatch& batch) {
   records_.resize_discarding(std::ssize(batch.elements));
   fractures_.resize_discarding(std::ssize(batch.fractures));
   fracture_records_.resize_discarding(std::ssize(batch.fractures));
-  const long needed = patch_scratch_size(tables, batch.patches, shape_.lanes);
-  if (needed > scratch_stride_) {
-    scratch_stride_ = needed;
-    scratch_.resize_discarding(scratch_stride_ * shape_.workers);
-  }
+  task_.batch = device_batch(batch);
+  task_.tables = host_tables_.view(tables_.pointer());
+  scratch_.prepare(batch.patches, task_);
 }
 
 void BatchRunner::hold_slots(std::int64_t num_slots) {
@@ -138,7 +123,6 @@ void BatchRunner::upload(const HostBatch& batch) {
   elements_.upload(batch.elements);
   if (!batch.prescribed.empty()) prescribed_.upload(batch.prescribed);
   if (!batch.fractures.empty()) fractures_.upload(batch.fractures);
-  cycles_.upload(std::vector<StageCycles>(shape_.workers));
 }
 
 PatchBatch BatchRunner::device_batch(const HostBatch& batch) {
@@ -158,35 +142,16 @@ PatchBatch BatchRunner::device_batch(const HostBatch& batch) {
   return on_device;
 }
 
-PatchSolverTask BatchRunner::task(const HostBatch& batch) {
-  PatchSolverTask task{};
-  task.batch = device_batch(batch);
-  task.tables = host_tables_.view(tables_.pointer());
-  task.scratch = scratch_.pointer();
-  task.scratch_stride = scratch_stride_;
-  task.cycles = cycles_.pointer();
-  task.shape = shape_;
-  return task;
-}
-
-void BatchRunner::launch(const HostBatch& batch) {
+void BatchRunner::launch() {
   const auto start = std::chrono::steady_clock::now();
-  const PatchSolverTask launched = task(batch);
   if (device_.is_host) {
-    solve_patches_host(launched);
+    solve_patches_host(task_);
   } else {
-    traffic_.count_launch(sizeof launched);
-    solve_patches_device(launched, device_.number);
+    traffic_.count_launch(sizeof task_);
+    solve_patches_device(task_, device_.number);
   }
   const auto elapsed = std::chrono::steady_clock::now() - start;
-  std::vector<StageCycles> cycles(shape_.workers);
-  cycles_.download(cycles);
-  StageCycles sum;
-  for (const StageCycles& worker : cycles) {
-    sum.assembly += worker.assembly;
-    sum.solution += worker.solution;
-    sum.post_solution += worker.post_solution;
-  }
+  const StageCycles sum = scratch_.total_cycles();
   const double all = std::max<double>(1, static_cast<double>(sum.assembly + sum.solution + sum.post_solution));
   const auto share = [&](long long part) {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(elapsed * (static_cast<double>(part) / all));

@@ -4,8 +4,8 @@
 #include "device/gather_slots.hpp"
 #include "device/stage_timer.hpp"
 #include "host/solver/host_batch.hpp"
+#include "host/solver/patch_scratch.hpp"
 #include "host/solver/simulation.hpp"
-#include "kernels/patch_solver.hpp"
 #include "kernels/transplant.hpp"
 
 namespace tentpole {
@@ -42,13 +42,12 @@ class BatchRunner {
   void prepare_memory(const HostBatch& batch);
   void hold_slots(std::int64_t num_slots);
   void upload(const HostBatch& batch);
-  void launch(const HostBatch& batch);
+  void launch();
   void download(HostBatch& batch);
   void repair_failed_patches(HostBatch& batch);
   void compute_slice_energies(HostBatch& batch);
   void gather_wanted(HostBatch& batch);
   PatchBatch device_batch(const HostBatch& batch);
-  PatchSolverTask task(const HostBatch& batch);
 
   const Simulation& simulation_;
   Device device_;
@@ -75,10 +74,9 @@ class BatchRunner {
   DeviceBuffer<TransplantRequest> transplants_;
   DeviceBuffer<SliceRequest> slice_requests_;
   DeviceBuffer<double> slice_energies_;
-  DeviceBuffer<double> scratch_;
-  DeviceBuffer<StageCycles> cycles_;
+  PatchScratch scratch_;
+  PatchSolverTask task_{};
   SlotTransfer slots_;
-  long scratch_stride_ = 0;
   std::int64_t num_fallbacks_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "host/case_file/number_text.hpp"
+#include "host/mesh/toml_name.hpp"
 
 namespace tentpole {
 namespace {
@@ -131,7 +132,7 @@ void add_domain(const Simulation& simulation, SettingList& list) {
 
 void add_materials(const Case& settings, SettingList& list) {
   for (const auto& [name, material] : settings.materials) {
-    const std::string key = "material." + name;
+    const std::string key = "material." + toml_key(name);
     list.add(key + ".density", material.density);
     list.add(key + ".youngs_modulus", material.youngs_modulus);
     list.add(key + ".poisson_ratio", material.poisson_ratio);
@@ -142,7 +143,7 @@ void add_materials(const Case& settings, SettingList& list) {
 void add_boundaries(const Simulation& simulation, SettingList& list) {
   const Box box = bounding_box(simulation);
   for (const auto& [name, condition] : simulation.settings.boundaries) {
-    const std::string key = "boundary." + name;
+    const std::string key = "boundary." + toml_key(name);
     if (condition.is_periodic()) {
       list.add(key + ".periodic", condition.periodic_partner());
       continue;
@@ -204,7 +205,10 @@ void add_fracture(const FractureSettings& fracture, SettingList& list) {
     const std::string key = "fracture.crack " + std::to_string(++number);
     std::string points;
     for (const auto& point : crack.points) points += list_text(point) + " ";
-    list.add(key + " points", points);
+    if (crack.side.empty())
+      list.add(key + " points", points);
+    else
+      list.add(key + " side", crack.side);
     list.add(key + " damage", crack.damage);
   }
   add_nucleation(fracture.nucleation, list);

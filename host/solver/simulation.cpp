@@ -8,6 +8,7 @@
 #include "host/mesh/box_mesh.hpp"
 #include "host/mesh/gmsh_file.hpp"
 #include "host/mesh/simplex_geometry.hpp"
+#include "host/solver/mesh_names.hpp"
 
 namespace tentpole {
 namespace {
@@ -22,7 +23,8 @@ PeriodicPairs periodic_pairs(const Case& settings) {
 
 SpaceMesh make_mesh(const Case& settings) {
   const DomainSettings& domain = settings.domain;
-  if (!domain.is_box()) return read_gmsh_file(domain.mesh_file.string(), domain.dimension, periodic_pairs(settings));
+  if (!domain.is_box())
+    return read_gmsh_file(domain.mesh_file.string(), domain.dimension, periodic_pairs(settings), name_use(settings));
   BoxMesh box;
   box.dimension = domain.dimension;
   box.min = domain.min;
@@ -32,41 +34,6 @@ SpaceMesh make_mesh(const Case& settings) {
   box.seed = domain.seed;
   box.periodic = periodic_pairs(settings);
   return make_box_mesh(box);
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Every name of the mesh needs an entry of the case, and every entry must exist in the mesh.
-void check_names(const Case& settings, const SpaceMesh& mesh) {
-  std::vector<Problem> problems;
-  const auto report = [&](const std::string& key, const std::string& reason) {
-    problems.push_back({{settings.path.string(), 0, 0, key, ""}, reason});
-  };
-  for (const std::string& name : mesh.boundary_names)
-    if (!settings.boundaries.count(name))
-      report("boundary." + name,
-             "the mesh has this boundary and the case no condition for it. Add [boundary." + name + "].");
-  for (const auto& [name, condition] : settings.boundaries)
-    if (!condition.is_periodic() && !contains(mesh.boundary_names, name))
-      report("boundary." + name, "the mesh has no such boundary (it has: " + listed(mesh.boundary_names) +
-                                     "). Remove the table or name one of these.");
-  for (const std::string& name : mesh.region_names)
-    if (!settings.materials.count(name) && !settings.materials.count("all"))
-      report("material." + name,
-             "the mesh has this region and the case no material for it. Add [material." + name + "].");
-  for (const auto& [name, properties] : settings.materials)
-    if (name != "all" && !contains(mesh.region_names, name))
-      report("material." + name, "the mesh has no such region (it has: " + listed(mesh.region_names) +
-                                     "). Remove the table or name one of these.");
-  if (!problems.empty()) throw InputError(problems);
 }
 
 Scaling make_scaling(const SpaceMesh& mesh, const std::vector<Material>& materials) {
@@ -94,7 +61,7 @@ Simulation make_simulation(Case settings) {
   Simulation simulation;
   simulation.mesh = make_mesh(settings);
   SpaceMesh& mesh = simulation.mesh;
-  check_names(settings, mesh);
+  check_mesh_names(settings, mesh);
   for (const std::string& name : mesh.region_names)
     simulation.materials.push_back(settings.material(settings.materials.count(name) ? name : "all"));
   for (const std::string& name : mesh.boundary_names) simulation.conditions.push_back(settings.boundaries.at(name));

@@ -1,4 +1,5 @@
-"""Figures 3.4 to 3.6: the many-core card of the thesis, modelled, and transfers to the device at hand, measured."""
+"""Figures 3.4 to 3.6: the many-core card of the thesis, modelled, and transfers to the device at hand, measured; and whole
+patches on a GPU where there is one."""
 from report import charts
 from report.exhibit import Exhibit, Part, number
 from report.thesis_numbers import (BEST_BALANCED_THREADS, CARD_EFFICIENCY, CARD_SPEEDUP, CARD_THREADS, DEGREES, is_balanced,
@@ -109,5 +110,38 @@ def filtered_figure(results):
     return exhibit
 
 
+def _host_rates(patches):
+    """The most patches per second that the host solves, for each (D, k)."""
+    rates = {}
+    for b in patches.find("solve_patches"):
+        size = b.arguments["D"], b.arguments["k"]
+        rates[size] = max(rates.get(size, 0), b["patches/s"])
+    return rates
+
+
+def gpu_patches(results):
+    """Whole patches on the GPU against the host of the same machine, for every shape of the launch."""
+    exhibit = Exhibit("3.9", "Figure", "Whole patches on the GPU",
+                      "Beyond the thesis: patches per second of one launch with all data on the GPU, by the patches of the "
+                      "launch, the best of the shapes tried (teams x lanes); and the ratio to the fastest run of the same size "
+                      "on this machine's processor.")
+    patches = results.file("bench_patch")
+    host = _host_rates(patches)
+    rows, best = [], {}
+    for b in patches.find("device_patches"):
+        size, count, rate = (b.arguments["D"], b.arguments["k"]), b.arguments["patches"], b["patches/s"]
+        ratio = rate / host[size] if size in host else None
+        rows.append([*size, count, b.arguments["teams"], b.arguments["lanes"], number(rate), number(ratio)])
+        curve = best.setdefault(f"D = {size[0]}, k = {size[1]}", {})
+        curve[count] = max(curve.get(count, 0), rate)
+    series = {name: (sorted(curve), [curve[count] for count in sorted(curve)]) for name, curve in best.items()}
+    exhibit.add(Part("figure_3_9", "measured", results.source("bench_patch"),
+                     ["D", "degree", "patches", "teams", "lanes", "patches/s", "over host"], rows,
+                     charts.curves(series, "patches in a launch", "patches/s", logarithmic=True)),
+                "bench_patch has no result on a GPU.")
+    return exhibit
+
+
 def device_figures(results):
-    return [card_figure(results), persistent_figure(results), filtered_figure(results)]
+    shown = [card_figure(results), persistent_figure(results), filtered_figure(results)]
+    return shown + ([gpu_patches(results)] if results.has_gpu() else [])

@@ -4,7 +4,7 @@ import os
 import subprocess
 import time
 
-from report.results import DRIVERS, MACHINES
+from report.results import DRIVERS, GPU_DRIVERS, MACHINES
 from report.thesis_numbers import DEGREES, unknowns
 
 # Google Benchmark's filters. --quick has fewer degrees; the whole run leaves out what the report does not show.
@@ -14,6 +14,7 @@ QUICK_FILTER = {
     "bench_threads": r"rows/d:4/k:[57]/",
     "bench_traffic": r"d:4/k:",
     "bench_lu": r"d:4/k:[23]/K:[24]/",
+    "bench_patch": r"device_patches/D:(2/k:[23]|3/k:2)/patches:4096/|solve_patches/D:(2/k:[23]/patches:256|3/k:2/patches:64)/",
 }
 FULL_FILTER = {
     "bench_profile": r"k:[57]/",
@@ -21,11 +22,14 @@ FULL_FILTER = {
     "bench_threads": r"rows/",
     "bench_traffic": r"d:4",
     "bench_lu": r"d:4/k:[1-7]/K:[24]/",
+    "bench_patch": r"device_patches/D:[23]/k:[23]/|solve_patches/D:[23]/k:[23]/patches:(64|256|1024)/",
 }
 MINIMAL_TIME = {True: "0.02", False: "0.2"}
 # Seconds after which a driver is stopped; what it has measured by then is kept. On a quiet machine they take less.
-QUICK_LIMIT = {"bench_profile": 20, "bench_assembly": 30, "bench_threads": 40, "bench_traffic": 35, "bench_lu": 35}
-FULL_LIMIT = {"bench_profile": 250, "bench_assembly": 400, "bench_threads": 150, "bench_traffic": 100, "bench_lu": 200}
+QUICK_LIMIT = {"bench_profile": 20, "bench_assembly": 30, "bench_threads": 40, "bench_traffic": 35, "bench_lu": 35,
+               "bench_patch": 60}
+FULL_LIMIT = {"bench_profile": 250, "bench_assembly": 400, "bench_threads": 150, "bench_traffic": 100, "bench_lu": 200,
+              "bench_patch": 200}
 
 
 def _command(program, output, quick):
@@ -41,12 +45,18 @@ def processor_name():
     return names[0] if names else "unknown"
 
 
+def has_gpu(tentpole):
+    """Whether the program's devices include a GPU."""
+    devices = subprocess.run([tentpole, "devices"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
+    return "GPU (nvptx64 image)" in devices.stdout
+
+
 def run_drivers(build, folder, quick):
     """Runs each driver that the build has; keeps notes for the report: the processor, and drivers missing,
     failed or stopped."""
     environment = dict(os.environ, OMP_WAIT_POLICY=os.environ.get("OMP_WAIT_POLICY", "passive"))
     notes = [f"processor: {processor_name()}\n"]
-    for driver in DRIVERS:
+    for driver in DRIVERS + (GPU_DRIVERS if has_gpu(build / "tentpole") else []):
         start = time.monotonic()
         note = _run_driver(build / "bench" / driver, folder, quick, environment)
         print(f"{driver}: {time.monotonic() - start:.0f} s{', ' + note if note else ''}")

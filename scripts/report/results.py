@@ -6,6 +6,7 @@ from report.benchmark_file import BenchmarkFile
 from report.thesis_numbers import DEGREES, unknowns
 
 DRIVERS = ["bench_profile", "bench_assembly", "bench_threads", "bench_traffic", "bench_lu"]
+GPU_DRIVERS = ["bench_patch"]  # only where there is a GPU
 MACHINES = {"xeon_phi_knc": "1-120", "xeon_x5680_dual": "1-24"}  # with the thread counts of their sweeps
 
 
@@ -16,6 +17,9 @@ class Results:
     @functools.lru_cache(maxsize=None)
     def file(self, driver):
         return BenchmarkFile(self.folder / f"{driver}.json")
+
+    def has_gpu(self):
+        return str(self.file("bench_patch").context.get("device", "")).startswith("GPU")
 
     def source(self, driver):
         """Driver, compiler and commit of its numbers."""

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/status.hpp"
+#include "tests/device/tested_device.hpp"
 #include "tests/kernels/cracked_tents.hpp"
 #include "tests/kernels/device_tents.hpp"
 #include "tests/kernels/solved_together.hpp"
@@ -69,12 +70,11 @@ TEST_P(FractureOn, OtherPatchesDoNotNotice) {
 }
 
 TEST_P(FractureOn, ADeviceEqualsTheHost) {
-  const std::vector<Device> devices = available_devices();
-  if (devices.empty()) GTEST_SKIP() << "no device in this build";
-  const bool is_virtual = devices.front().kind == DeviceKind::virtual_cpu;
+  const std::optional<Device> device = tested_device();
+  if (!device) GTEST_SKIP() << "no device in this build";
   for (int degree = 1; degree <= 4; ++degree) {
     const TentBatch batch = sample(GetParam(), degree, 5);
-    expect_equal(solved(batch), solved(batch, devices.front(), {2, is_virtual ? 1 : 32}));
+    expect_equal(solved(batch), solved(batch, *device, {2, tested_lanes(*device)}));
   }
 }
 

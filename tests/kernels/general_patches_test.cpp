@@ -9,6 +9,7 @@
 #include "kernels/dense_patch_solve.hpp"
 #include "kernels/inclined_facet.reference.hpp"
 #include "kernels/patch_matrix.reference.hpp"
+#include "tests/device/tested_device.hpp"
 #include "tests/kernels/dense_comparison.hpp"
 #include "tests/kernels/device_tents.hpp"
 
@@ -167,14 +168,13 @@ TEST_P(GeneralPatches, BalanceTheirEnergyAndOnlyLoseIt) {
 }
 
 TEST_P(GeneralPatches, AreTheSameOnADevice) {
-  const std::vector<Device> devices = available_devices();
-  if (devices.empty()) GTEST_SKIP() << "no device in this build";
-  const bool is_virtual = devices.front().kind == DeviceKind::virtual_cpu;
+  const std::optional<Device> device = tested_device();
+  if (!device) GTEST_SKIP() << "no device in this build";
   for (const GeneralKind kind : general_kinds(GetParam()))
     for (int degree = 1; degree <= 3; ++degree) {
       const TentBatch batch = rough_patches(GetParam(), degree, kind, 50 + degree), here = solved(batch);
-      for (const LaunchShape shape : {LaunchShape{2, is_virtual ? 1 : 32}, LaunchShape{1, 4}}) {
-        const TentBatch there = solved(batch, devices.front(), shape);
+      for (const LaunchShape shape : {LaunchShape{2, tested_lanes(*device)}, LaunchShape{1, 4}}) {
+        const TentBatch there = solved(batch, *device, shape);
         double scale = 0, difference = 0, energy = 0, energy_difference = 0;
         for (std::size_t i = 0; i < here.coefficients.size(); ++i) {
           scale = std::max(scale, std::abs(here.coefficients[i]));

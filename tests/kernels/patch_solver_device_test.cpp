@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/status.hpp"
+#include "tests/device/tested_device.hpp"
 #include "tests/kernels/device_tents.hpp"
 
 namespace tentpole {
@@ -92,13 +93,13 @@ TEST_P(PatchSolverOn, AnEmptyBatchChangesNothing) {
   expect_bitwise_equal(solved(batch), batch);
 }
 
-/// The rest runs on the first device of an offload build: the virtual one, or a GPU.
+/// The rest runs on a device: a GPU, or the virtual one.
 class PatchSolverOnDevice : public PatchSolverOn {
  protected:
   void SetUp() override {
-    const std::vector<Device> devices = available_devices();
-    if (devices.empty()) GTEST_SKIP() << "no device in this build";
-    device_ = devices.front();
+    const std::optional<Device> device = tested_device();
+    if (!device) GTEST_SKIP() << "no device in this build";
+    device_ = *device;
   }
   bool is_virtual() const { return device_.kind == DeviceKind::virtual_cpu; }
 
@@ -108,7 +109,7 @@ class PatchSolverOnDevice : public PatchSolverOn {
 TEST_P(PatchSolverOnDevice, EqualsTheHostAtEveryDegree) {
   for (int degree = 1; degree <= highest_degree(GetParam()); ++degree) {
     const TentBatch batch = sample(GetParam(), degree, GetParam() == 3 ? 2 : 6);
-    const TentBatch here = solved(batch), there = solved(batch, device_, {2, is_virtual() ? 1 : 32});
+    const TentBatch here = solved(batch), there = solved(batch, device_, {2, tested_lanes(device_)});
     EXPECT_LT(coefficient_difference(here, there), 1e-12) << "degree " << degree;
     EXPECT_LT(record_difference(here, there), 1e-12) << "degree " << degree;
   }
@@ -118,7 +119,7 @@ TEST_P(PatchSolverOnDevice, EqualsTheHostForAwkwardNumbersOfPatches) {
   for (const int num_patches : {0, 1, GetParam() == 3 ? 17 : 513}) {
     TentBatch batch = sample(GetParam(), 1, std::max(num_patches, 1));
     batch.patches.resize(num_patches);
-    const TentBatch here = solved(batch), there = solved(batch, device_, {2, is_virtual() ? 1 : 32});
+    const TentBatch here = solved(batch), there = solved(batch, device_, {2, tested_lanes(device_)});
     if (num_patches == 0) {
       expect_bitwise_equal(there, batch);
       continue;

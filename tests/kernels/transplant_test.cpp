@@ -9,6 +9,7 @@
 
 #include "device/device_buffer.hpp"
 #include "kernels/point_state.reference.hpp"
+#include "tests/device/tested_device.hpp"
 
 namespace tentpole {
 namespace {
@@ -236,9 +237,9 @@ TEST_P(Transplant, LeavesOtherSlotsUntouchedAndDoesNotDependOnTheNumberOfThreads
 }
 
 TEST_P(Transplant, IsTheSameOnADeviceForAnyNumberOfRequests) {
-  const std::vector<Device> devices = available_devices();
-  if (devices.empty()) GTEST_SKIP() << "no device in this build";
-  const int D = GetParam(), lanes = devices.front().kind == DeviceKind::virtual_cpu ? 1 : 32;
+  const std::optional<Device> device = tested_device();
+  if (!device) GTEST_SKIP() << "no device in this build";
+  const int D = GetParam();
   std::mt19937 generator(40 + D);
   for (const int count : {0, 1, 513}) {
     Store here = random_store(D, 3, generator);
@@ -248,7 +249,7 @@ TEST_P(Transplant, IsTheSameOnADeviceForAnyNumberOfRequests) {
           append_part(here, 0, i % num_facet_tables(D), cut(D, 0, D, uniform(0.1, 0.9, generator), i % 2)));
     Store there = here;
     transplant(here, requests);
-    transplant(there, requests, devices.front(), {2, lanes});
+    transplant(there, requests, *device, {2, tested_lanes(*device)});
     for (std::size_t i = 0; i < here.coefficients.size(); ++i)
       ASSERT_NEAR(there.coefficients[i], here.coefficients[i], 1e-13);
     for (std::size_t i = 0; i < here.inverse_jacobians.size(); ++i)

@@ -48,6 +48,19 @@ def solution():
             yield entry(f"lu/{variant}/d:4/k:3/K:{K}/threads:{p}", 5 / p, n=105, N=105 * K, speedup=p, efficiency=1.0, **{"GF/s": 5})
 
 
+def gpu_patches():
+    for D, k, host in ((2, 2, 5e4), (2, 3, 2e4)):
+        yield entry(f"solve_patches/D:{D}/k:{k}/patches:256/threads:2", 5, **{"patches/s": host})
+        for lanes in (32, 64):
+            yield entry(f"device_patches/D:{D}/k:{k}/patches:4096/teams:2112/lanes:{lanes}", 5, **{"patches/s": host * lanes / 4})
+
+
+def write_gpu(folder):
+    """What bench_patch leaves on a machine with a GPU."""
+    context = dict(CONTEXT, device="GPU (nvptx64 image): Canned")
+    (folder / "bench_patch.json").write_text(json.dumps({"context": context, "benchmarks": list(gpu_patches())}))
+
+
 def write(folder, drivers=None):
     """Writes DRIVER.json for the drivers named, all by default."""
     files = {"bench_profile": profile(), "bench_assembly": assembly(),

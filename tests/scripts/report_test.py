@@ -63,6 +63,19 @@ class Report(unittest.TestCase):
             self.assertRegex(reference, r"^(data:image/png;base64,iVBOR|#)")
         self.assertNotIn("http", re.sub(r"base64,[A-Za-z0-9+/=]+", "", self.text))
 
+    def test_patches_on_a_gpu_are_shown_where_there_is_one(self):
+        self.assertNotIn("figure_3_9", self.page.sections)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            canned_results.write(folder / "results", ["bench_lu"])
+            canned_results.write_gpu(folder / "results")
+            draw(folder)
+            section = Page((folder / "index.html").read_text(encoding="utf-8")).sections["figure_3_9"]
+            self.assertIn("Whole patches on the GPU", section)
+            rows = (folder / "figure_3_9.csv").read_text().splitlines()
+            self.assertEqual(rows[1], "D,degree,patches,teams,lanes,patches/s,over host")
+            self.assertIn("2,2,4096,2112,64,800000,16", rows)
+
     def test_every_part_has_csv_and_picture_and_is_either_measured_or_modelled(self):
         tables = sorted(self.folder.glob("*.csv"))
         self.assertGreaterEqual(len(tables), 16)

@@ -179,6 +179,60 @@ TEST(FittedPoint, IsAVertex) {
   }
 }
 
+/// A case with a mesh of tests/host/mesh and a crack on its side "notch", from (0.5, 1) to (1.5, 1).
+Simulation notched_square(const std::string& mesh, const std::string& more) {
+  return testing::simulation_of("[domain]\ndimension = 2\nmesh = \"" TENTPOLE_TEST_DATA "/../mesh/" + mesh +
+                                "\"\n[material.all]\ndensity = 1\nyoungs_modulus = 1\npoisson_ratio = 0\n"
+                                "[boundary.outer]\nabsorbing = true\n[time]\nend = 1\n[discretization]\ndegree = 2\n"
+                                "[fracture]\nenabled = true\nthreshold = 1\nstrength = 2\nrelaxation_time = 1\n"
+                                "[[fracture.crack]]\nside = \"notch\"\ndamage = 0.75\n" +
+                                more);
+}
+
+TEST(CrackOnASide, ConsistsOfItsEdges) {
+  for (const char* mesh : {"crack_inside.msh", "crack_doubled.msh"}) {
+    const Simulation simulation = notched_square(mesh, "");
+    const PreparedFront prepared = prepare(simulation);
+    prepared.front.check();
+    const MarkedEdges marked = marked_edges(prepared, simulation.scaling.length);
+    EXPECT_EQ(prepared.front.mesh().num_cells(), simulation.mesh.num_cells()) << "nothing is cut";
+    EXPECT_EQ(prepared.front.cracks().size(), 4);
+    EXPECT_NEAR(marked.length, 1, 1e-12);
+    for (const Point& vertex : marked.position) EXPECT_LE(distance_to_line(vertex, {{0.5, 1, 0}, {1.5, 1, 0}}), 1e-9);
+    for (const CrackEdgeState& state : prepared.state) EXPECT_EQ(smallest_damage(state), 0.75);
+  }
+}
+
+TEST(CrackOnASide, StaysMarkedWhereALineCrossesIt) {
+  const Simulation simulation =
+      notched_square("crack_inside.msh", "[[fracture.crack]]\npoints = [[0.8, 0.5], [0.9, 1.4]]\ndamage = 0.25\n");
+  const PreparedFront prepared = prepare(simulation);
+  prepared.front.check();
+  const MarkedEdges marked = marked_edges(prepared, simulation.scaling.length);
+  EXPECT_NEAR(marked.length, 1 + std::hypot(0.1, 0.9), 0.1);
+  double on_the_side = 0;
+  for (int edge = 0; edge < prepared.front.cracks().size(); ++edge)
+    if (!prepared.front.cracks().is_retired(edge) && std::fabs(smallest_damage(prepared.state[edge]) - 0.75) < 1e-12) {
+      const auto& ends = prepared.front.cracks().edge(edge);
+      on_the_side += distance(prepared.front.mesh().position(ends[0]), prepared.front.mesh().position(ends[1])) *
+                     simulation.scaling.length;
+    }
+  EXPECT_NEAR(on_the_side, 1, 1e-12);
+}
+
+TEST(CrackOnASide, OfABarIsAVertex) {
+  Simulation simulation = cracked_box(1, true, {});
+  simulation.mesh.inner_sides = {{"joint", {{3, none, none}}}};
+  CrackSettings crack;
+  crack.side = "joint";
+  crack.damage = 1;
+  simulation.settings.fracture.cracks = {crack};
+  const PreparedFront prepared = prepare(simulation);
+  const MarkedEdges marked = marked_edges(prepared, simulation.scaling.length);
+  ASSERT_EQ(marked.position.size(), 1u);
+  EXPECT_NEAR(marked.position[0][0], 0.375, 1e-12);
+}
+
 std::string refusal(const Simulation& simulation) {
   try {
     prepare(simulation);

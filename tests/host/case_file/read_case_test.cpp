@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -169,6 +170,28 @@ TEST(Overrides, TextThatIsNotTomlIsAString) {
   Case bar = read_case(valid + "one_dimension.toml", {"boundary.left.normal_velocity=2*t", "title=two words"});
   EXPECT_EQ(bar.boundaries.at("left").value({}, 3, {1, 0, 0})[0], 6);
   EXPECT_EQ(bar.title, "two words");
+}
+
+TEST(Overrides, KeysAreQuotedAsInTheFileAndInMessages) {
+  const std::vector<std::string> clamped{"boundary.\"Mechanically clamped = 1.0\".traction=[\"1\", \"0\"]"};
+  EXPECT_TRUE(read_case(valid + "mesh_file.toml", clamped).boundaries.contains("Mechanically clamped = 1.0"));
+  const std::string unknown = refusal("mesh_file.toml", {"boundary.\"a \\\"b\\\"\".tracton=3"});
+  EXPECT_TRUE(contains(unknown, "--set boundary.\"a \\\"b\\\"\".tracton=3: unknown key. Did you mean \"traction\"?"))
+      << unknown;
+  EXPECT_TRUE(contains(refusal("mesh_file.toml", {"boundary.\"a.traction=3"}), "is no override"));
+  EXPECT_TRUE(contains(refusal("mesh_file.toml", {"boundary.\"a\"traction=3"}), "is no override"));
+}
+
+TEST(ReadCase, MessagesQuoteKeysWhereTheFileMust) {
+  const std::string path = testing::TempDir() + "quoted_key.toml";
+  std::ifstream mesh_file(valid + "mesh_file.toml");
+  std::ofstream(path) << mesh_file.rdbuf() << "[material.\"Probekörper Nº1\"]\ndensity = -1\n";
+  try {
+    read_case(path);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(contains(error.what(), "material.\"Probekörper Nº1\".density = -1: must be positive")) << error.what();
+  }
 }
 
 TEST(Overrides, CureAFaultOfTheFile) {

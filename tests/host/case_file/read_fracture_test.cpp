@@ -143,6 +143,21 @@ TEST(ReadFracture, NoNucleationNeedsNoDistribution) {
   EXPECT_EQ(bar.settings.fracture.nucleation.model, NucleationModel::nowhere);
 }
 
+TEST(ReadFracture, CrackMayBeASideOfAMeshFile) {
+  const std::string temporary = testing::TempDir() + "crack_side.toml";
+  std::ifstream mesh_file(valid + "mesh_file.toml");
+  std::ofstream(temporary) << mesh_file.rdbuf()
+                           << "[fracture]\nenabled = false\n[[fracture.crack]]\nside = \"joint\"\ndamage = 0.5\n";
+  std::filesystem::copy_file(valid + "two_triangles.msh", testing::TempDir() + "two_triangles.msh",
+                             std::filesystem::copy_options::overwrite_existing);
+  const FractureSettings fracture = read_case(temporary).fracture;
+  ASSERT_EQ(fracture.cracks.size(), 1u);
+  EXPECT_EQ(fracture.cracks[0].side, "joint");
+  EXPECT_EQ(fracture.cracks[0].damage, 0.5);
+  EXPECT_TRUE(fracture.cracks[0].points.empty());
+  EXPECT_EQ(fracture.cracks[0].side_location.key, "fracture.crack[1].side");
+}
+
 TEST(ReadFracture, CrackOfABarIsAPoint) {
   const std::string path = testing::TempDir() + "crack_of_a_bar.toml";
   const auto points_of = [&](const std::string& points) {

@@ -132,6 +132,29 @@ class Check(ProgramTest):
     def test_broken_case_is_refused(self):
         self.assertIn("time.end", self.refused("check", "wave.toml", "--set", "time.end=0"))
 
+    def mesh_case(self, mesh):
+        """A case with this mesh of tests/host/mesh, copied beside it."""
+        shutil.copy(SOURCE / "tests/host/mesh" / mesh, self.folder / "mesh.msh")
+        text = WAVE.replace("min = [0.0]\nmax = [1.0]\ncells = [20]", 'mesh = "mesh.msh"')
+        text = text[:text.index("[initial]")] + text[text.index("[time]"):text.index("[output]")]
+        text = text.replace("dimension = 1", "dimension = 2").replace('periodic = "right"', "absorbing = true")
+        for side in ("right", "bottom", "top"):
+            text += f"[boundary.{side}]\nabsorbing = true\n"
+        (self.folder / "mesh.toml").write_text(text)
+
+    def test_damaged_mesh_file_is_refused_with_line_and_way_out(self):
+        self.mesh_case("broken/fewer_nodes_announced.msh")
+        self.assertEqual(self.refused("check", "mesh.toml"),
+                         'mesh.msh, line 10, $Nodes: "5" stands where $EndNodes must be: the section has more or fewer '
+                         "entries than it announces. Save the mesh anew from Gmsh.\n")
+
+    def test_nothing_beside_a_mesh_file_is_run(self):
+        self.mesh_case("square_41.msh")
+        (self.folder / "mesh.msh.opt").write_text('SystemCall "touch ran";\n')
+        before = self.tree()
+        self.tentpole("check", "mesh.toml")
+        self.assertEqual(self.tree(), before)
+
     def test_warnings_go_to_stderr(self):
         _, err = self.tentpole("check", "wave.toml", "--set", "discretization.degree=1")
         self.assertIn("warning: ", err)

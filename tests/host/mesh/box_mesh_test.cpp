@@ -208,6 +208,67 @@ TEST(BoxMesh, ScalesAllLengthsTogether) {
   EXPECT_NEAR(mesh.mean_cell_size(), 1, 1e-14);
 }
 
+std::string refusal(const BoxMesh& box) {
+  try {
+    make_box_mesh(box);
+  } catch (const MeshError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+struct SpoiledBox {
+  int dimension;
+  std::array<double, 3> min, max;
+  std::array<int, 3> cells;
+  std::string advice;
+};
+
+TEST(BoxMesh, AdviceForBoxesThatRoundingSpoilsIsAboutTheBox) {
+  const std::string far = "m apart. Move the box of [domain] nearer to the origin, or give fewer cells.";
+  const std::string thin = "but its longest side is 1 m. Give [domain] sides and numbers of cells";
+  const SpoiledBox boxes[] = {
+      {2, {1e9, 1e9, 0}, {1e9 + 2e-7, 1e9 + 2e-7, 0}, {4, 4, 1}, far},
+      {1, {1e15, 0, 0}, {1e15 + 10, 0, 0}, {100, 1, 1}, "0.1 m wide in x, but coordinates of 1e+15 m are 0.125 " + far},
+      {2, {0, 0, 0}, {1, 1e-10, 0}, {4, 1, 1}, "1e-10 m wide in y, " + thin},
+      {3, {0, 0, 0}, {1, 1, 1e-9}, {1, 1, 2}, "5e-10 m wide in z, " + thin}};
+  for (const SpoiledBox& spoiled : boxes) {
+    BoxMesh box;
+    box.dimension = spoiled.dimension;
+    box.min = spoiled.min;
+    box.max = spoiled.max;
+    box.cells = spoiled.cells;
+    const std::string message = refusal(box);
+    EXPECT_NE(message.find(spoiled.advice), std::string::npos) << message;
+    EXPECT_EQ(message.find("Gmsh"), std::string::npos) << message;
+  }
+}
+
+TEST(BoxMesh, PeriodicSidesMeetFarFromTheOrigin) {
+  // Numbers of this size lie 1.2e-10 m apart, farther than 1e-9 of the sides.
+  BoxMesh box;
+  box.min = {1e6, 1e6, 0};
+  box.max = {1e6 + 0.03, 1e6 + 0.03, 0};
+  box.cells = {7, 7, 1};
+  box.periodic = {{"left", "right"}, {"bottom", "top"}};
+  const SpaceMesh mesh = make_box_mesh(box);
+  EXPECT_EQ(mesh.num_vertices(), 49);
+  EXPECT_EQ(mesh.shifts.size(), 4u);
+}
+
+TEST(BoxMesh, LengthsBeyondDoublePrecisionAreRefused) {
+  const std::string bounds = "coordinates may be at most 1e100 m, and cells at least 1e-100 m";
+  for (const auto& [min, max] : {std::pair{-1e308, 1e308}, {0.0, 1e200}, {0.0, 1e-200}, {5e-324, 1e-323}}) {
+    BoxMesh box;
+    box.dimension = 1;
+    box.cells = {2, 1, 1};
+    box.min = {min, 0, 0};
+    box.max = {max, 0, 0};
+    const std::string message = refusal(box);
+    EXPECT_NE(message.find(bounds), std::string::npos) << message;
+  }
+}
+
 TEST(BoxMesh, RefusesSizesThatMakeNoMesh) {
   BoxMesh box;
   box.cells = {3, 0, 1};

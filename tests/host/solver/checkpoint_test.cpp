@@ -12,6 +12,7 @@
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/result_settings.hpp"
 #include "host/solver/run.hpp"
+#include "tests/device/tested_device.hpp"
 #include "tests/host/solver/sample_cases.hpp"
 
 namespace tentpole {
@@ -59,9 +60,9 @@ class ResumedRun : public testing::TestWithParam<Variant> {
  protected:
   void SetUp() override {
     if (GetParam().on_target_device) {
-      const std::vector<Device> devices = available_devices();
-      if (devices.empty()) GTEST_SKIP() << "this build has no target device";
-      device_ = devices.front();
+      const std::optional<Device> device = tested_device();
+      if (!device) GTEST_SKIP() << "this build has no target device";
+      device_ = *device;
     }
     whole_ = test_folder("whole");
     simulation_ = simulation_of(sample_case(GetParam().dimension), whole_);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "host/solver/run.hpp"
+#include "tests/device/tested_device.hpp"
 #include "tests/host/output/result_folder.hpp"
 
 namespace tentpole::testing {
@@ -36,11 +37,7 @@ SolvedRun solve(const std::string& case_text, const Device& device, int threads)
 
 std::vector<Device> test_devices() {
   std::vector<Device> devices{host_device()};
-  for (const Device& device : available_devices())
-    if (device.kind == DeviceKind::virtual_cpu) {
-      devices.push_back(device);
-      break;
-    }
+  if (const std::optional<Device> device = tested_device()) devices.push_back(*device);
   return devices;
 }
 

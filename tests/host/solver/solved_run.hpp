@@ -26,7 +26,7 @@ Simulation simulation_of(const std::string& case_text);
 SolvedRun solve(const Simulation& simulation, const Device& device = host_device(), int threads = 2);
 SolvedRun solve(const std::string& case_text, const Device& device = host_device(), int threads = 2);
 
-/// The host, and the CPU device of builds that have one.
+/// The host, and the device of builds that have one.
 std::vector<Device> test_devices();
 
 Table read_table(const std::string& csv);
