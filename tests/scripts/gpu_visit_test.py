@@ -29,11 +29,11 @@ for argument; do
 done
 exit 0
 '''
-NAMES = {"bench_patch": ["device_patches/D:2/k:2/patches:4/teams:2/lanes:1/real_time",
+NAMES = {"bench_patch": ["device_patches/D:2/k:2/patches:64/teams:2/lanes:1/real_time",
                          "device_patches/D:2/k:2/patches:4096/teams:2/lanes:1/real_time",
-                         "device_patches/D:2/k:2/patches:4/teams:2/lanes:64/real_time",
-                         "solve_patches/D:2/k:2/patches:1/threads:2/real_time", "solve_patches/D:2/k:2/patches:4/threads:1/real_time",
-                         "solve_patches/D:2/k:2/patches:4/threads:2/real_time"],
+                         "device_patches/D:2/k:2/patches:64/teams:2/lanes:64/real_time",
+                         "solve_patches/D:2/k:2/patches:1/threads:2/real_time", "solve_patches/D:2/k:2/patches:64/threads:1/real_time",
+                         "solve_patches/D:2/k:2/patches:64/threads:2/real_time"],
          "bench_lu": ["lu/lapack/d:3/k:3/K:1/threads:1/manual_time"]}
 
 
@@ -108,14 +108,14 @@ class GpuVisit(unittest.TestCase):
         results = json.loads((self.folder / "gpu_out/benchmarks.json").read_text())
         self.assertEqual(list(results), ["patches_D2k2", "host_D2k2", "more_patches_D2k2", "lu"])
         # A rehearsal is small, and the host takes the largest of its batches.
-        self.assertIn("--benchmark_filter=^(device_patches/D:2/k:2/patches:4/teams:2/lanes:1/real_time)$", self.log())
-        self.assertIn("^(solve_patches/D:2/k:2/patches:4/threads:1/real_time|solve_patches/D:2/k:2/patches:4/threads:2/real_time)$",
+        self.assertIn("--benchmark_filter=^(device_patches/D:2/k:2/patches:64/teams:2/lanes:1/real_time)$", self.log())
+        self.assertIn("^(solve_patches/D:2/k:2/patches:64/threads:1/real_time|solve_patches/D:2/k:2/patches:64/threads:2/real_time)$",
                       self.log())
         self.assertIn("domain.cells=[12,12]", self.log())
 
     def test_gpus_get_sizes_of_real_runs(self):
         self.visit(image="nvptx", FAKE_DEVICE="0  GPU (nvptx64 image)", ONLY="^patches|launch_2d")
-        self.assertIn("patches:4/teams:2/lanes:1/real_time|device_patches/D:2/k:2/patches:4096/teams:2/lanes:1/real_time", self.log())
+        self.assertIn("patches:64/teams:2/lanes:1/real_time|device_patches/D:2/k:2/patches:4096/teams:2/lanes:1/real_time", self.log())
         self.assertIn("domain.cells=[150,150]", self.log())
         self.assertIn("steps ran on the GPU", self.output)
 
@@ -152,6 +152,11 @@ class GpuVisit(unittest.TestCase):
     def test_machine_without_a_gpu_refuses_its_image(self):
         self.visit(1, image="nvptx")
         self.assertIn("no GPU takes the image of this bundle", self.output)
+
+    def test_broken_list_of_devices_does_not_end_a_visit_to_a_gpu(self):
+        steps = self.visit(1, image="nvptx", FAKE="tentpole exit 139", ONLY="^lu$")
+        self.assertEqual({name: code for name, (code, _) in steps.items()},
+                         {"machine": "0", "unpack": "0", "devices": "139", "lu": "0"})
 
     def test_tar_and_xz_or_python_alone_are_enough(self):
         coreutils = ("bash", "mkdir", "rm", "cp", "ln", "timeout", "cat", "awk")
