@@ -49,8 +49,8 @@ def _head(results):
     device = "the virtual device, a rehearsal" if bundle.get("image") == "virtual" else machine.get("gpu", "GPU unknown").split(",")[0]
     return (f"# {machine.get('date', 'date unknown')[:10]}, visit to {device}\n\n"
             f"Commit {bundle.get('commit', 'unknown')}, image {bundle.get('image', 'unknown')}, {bundle.get('compiler', 'compiler unknown')}. "
-            f"{len(ran)} steps ran, {sum(step.failed for step in ran)} failed, {counts['skipped']} were skipped for want of time, "
-            f"{counts['absent']} were not possible here. Written by `scripts/gpu_report` from the files of `scripts/gpu_visit`, one run; "
+            f"{len(ran)} steps ran, {sum(step.failed for step in ran)} failed, {counts['skipped']} skipped for want of time, "
+            f"{counts['absent']} not possible here. Written by `scripts/gpu_report` from the files of `scripts/gpu_visit`, one run; "
             "what is not in them is not here.\n")
 
 

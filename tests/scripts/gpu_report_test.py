@@ -75,7 +75,7 @@ class GpuReport(unittest.TestCase):
     def test_head_names_day_gpu_commit_and_counts(self):
         head = self.sections()[""]
         self.assertIn("# 2026-12-01, visit to NVIDIA H100 80GB HBM3\n", head)
-        self.assertIn("Commit abc1234, image nvptx, clang++-19. 7 steps ran, 3 failed, 1 were skipped for want of time, 1 were not", head)
+        self.assertIn("Commit abc1234, image nvptx, clang++-19. 7 steps ran, 3 failed, 1 skipped for want of time, 1 not possible", head)
 
     def test_failures_come_first_and_in_full(self):
         sections = self.sections()
