@@ -153,12 +153,17 @@ def _runs(results):
     return table(header, rows) + "\n" + "\n".join(parts)
 
 
+def _words(benchmark):
+    """Of its name, without the clock that Google Benchmark adds."""
+    return [word for word in benchmark.path if word not in ("manual_time", "real_time")]
+
+
 def _driver_table(results, step, columns):
     """All benchmarks of a step: its name, time and those counters."""
     file = results.benchmarks.get(step)
     if file is None or not file.benchmarks:
         return "Not measured."
-    rows = [("/".join([*b.path, *(f"{key}:{value}" for key, value in b.arguments.items())]), number(1e3 * b.seconds),
+    rows = [("/".join([*_words(b), *(f"{key}:{value}" for key, value in b.arguments.items())]), number(1e3 * b.seconds),
              *(number(b[column], digits) for column, digits in columns)) for b in file.benchmarks]
     return table(("benchmark", "ms", *(column for column, _ in columns)), rows)
 

@@ -32,8 +32,8 @@ exit 0
 NAMES = {"bench_patch": ["device_patches/D:2/k:2/patches:64/teams:2/lanes:1/real_time",
                          "device_patches/D:2/k:2/patches:4096/teams:2/lanes:1/real_time",
                          "device_patches/D:2/k:2/patches:64/teams:2/lanes:64/real_time",
-                         "solve_patches/D:2/k:2/patches:1/threads:2/real_time", "solve_patches/D:2/k:2/patches:64/threads:1/real_time",
-                         "solve_patches/D:2/k:2/patches:64/threads:2/real_time"],
+                         "solve_patches/D:2/k:2/patches:1/threads:2/real_time", "solve_patches/D:2/k:2/patches:4/threads:1/real_time",
+                         "solve_patches/D:2/k:2/patches:4/threads:2/real_time"],
          "bench_lu": ["lu/lapack/d:3/k:3/K:1/threads:1/manual_time"]}
 
 
@@ -109,7 +109,7 @@ class GpuVisit(unittest.TestCase):
         self.assertEqual(list(results), ["patches_D2k2", "host_D2k2", "more_patches_D2k2", "lu"])
         # A rehearsal is small, and the host takes the largest of its batches.
         self.assertIn("--benchmark_filter=^(device_patches/D:2/k:2/patches:64/teams:2/lanes:1/real_time)$", self.log())
-        self.assertIn("^(solve_patches/D:2/k:2/patches:64/threads:1/real_time|solve_patches/D:2/k:2/patches:64/threads:2/real_time)$",
+        self.assertIn("^(solve_patches/D:2/k:2/patches:4/threads:1/real_time|solve_patches/D:2/k:2/patches:4/threads:2/real_time)$",
                       self.log())
         self.assertIn("domain.cells=[12,12]", self.log())
 
