@@ -10,6 +10,7 @@
 #include "host/solver/run.hpp"
 #include "tests/host/solver/sample_cases.hpp"
 #include "tests/host/solver/solved_run.hpp"
+#include "tests/test_folder.hpp"
 
 // A run with every operation of an adaptive front and growing cracks: its bytes depend neither on threads and batch
 // size nor on interruptions, and the device makes the same decisions as the host.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host/case_file/input_error.hpp"
-#include "tests/host/command_line/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -16,7 +16,7 @@ TEST(ResultFolder, IsNamedAfterTheCaseAndLiesInTheCurrentFolder) {
 }
 
 TEST(ResultFolder, IsCreatedWithItsParents) {
-  const TemporaryTestFolder root("result_folder_new");
+  const TemporaryFolder root;
   const PreparedFolder folder = prepare_result_folder(root.path() / "a/b/");
   EXPECT_EQ(folder.path, root.path() / "a/b");
   EXPECT_FALSE(folder.moved_aside);
@@ -24,7 +24,7 @@ TEST(ResultFolder, IsCreatedWithItsParents) {
 }
 
 TEST(ResultFolder, OlderResultsMoveToTheFirstFreeNumber) {
-  const TemporaryTestFolder root("result_folder_aside");
+  const TemporaryFolder root;
   root.write("r.1/notes.txt", "kept");
   for (const char* text : {"first", "second"}) {
     root.write("r/summary.json", text);
@@ -41,14 +41,14 @@ TEST(ResultFolder, WhatAKilledRunLeavesCountsAsAResult) {
   for (const char* name :
        {"history.csv", "probe_mid.csv", "snapshot_0000.vtkhdf", "checkpoint.h5", "cracks_0000.vtkhdf",
         ".snapshot_0000.vtkhdf.partial", ".cracks_0000.vtkhdf.partial", ".checkpoint.h5.partial"}) {
-    const TemporaryTestFolder root("result_folder_killed");
+    const TemporaryFolder root;
     root.write(name, "x");
     EXPECT_TRUE(holds_result(root.path())) << name;
   }
 }
 
 TEST(ResultFolder, FoldersWithOtherFilesAreRefusedAndKept) {
-  const TemporaryTestFolder root("result_folder_other");
+  const TemporaryFolder root;
   const fs::path file = root.write("thesis/chapter.tex", "work");
   EXPECT_THROW(prepare_result_folder(root.path() / "thesis"), InputError);
   EXPECT_THROW(prepare_result_folder(file), InputError);
@@ -56,7 +56,7 @@ TEST(ResultFolder, FoldersWithOtherFilesAreRefusedAndKept) {
 }
 
 TEST(ResultFolder, FolderThatCannotBeCreatedIsAnErrorThatNamesIt) {
-  const TemporaryTestFolder root("result_folder_below_file");
+  const TemporaryFolder root;
   const fs::path folder = root.write("file", "x") / "result";
   try {
     prepare_result_folder(folder);

@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
 
-std::vector<std::vector<double>> read_rows(const ResultFolder& folder) {
+std::vector<std::vector<double>> read_rows(const TemporaryFolder& folder) {
   std::istringstream text(folder.read("history.csv"));
   std::vector<std::vector<double>> rows;
   std::string line, cell;
@@ -24,7 +24,7 @@ std::vector<std::vector<double>> read_rows(const ResultFolder& folder) {
 }
 
 TEST(History, HasOneRowPerTimeFromZeroToTheEnd) {
-  ResultFolder folder("history_rows");
+  TemporaryFolder folder;
   History history(folder.path(), 0.3, 1);
   history.finish(1, {.cells = 7});
   const auto rows = read_rows(folder);
@@ -38,7 +38,7 @@ TEST(History, HasOneRowPerTimeFromZeroToTheEnd) {
 }
 
 TEST(History, SpreadsWorkLinearlyAndKeepsTheTotal) {
-  ResultFolder folder("history_work");
+  TemporaryFolder folder;
   History history(folder.path(), 0.25, 1);
   history.add_interval(0.0, 1.0, {.external_work = 8});
   history.add_interval(0.4, 0.6, {.external_work = 2, .numerical = 4, .fracture = 6, .friction = 8});
@@ -56,7 +56,7 @@ TEST(History, SpreadsWorkLinearlyAndKeepsTheTotal) {
 }
 
 TEST(History, EnergiesDoNotDependOnTheOrder) {
-  ResultFolder forward("history_forward"), backward("history_backward");
+  TemporaryFolder forward, backward;
   const double terms[] = {1e20, 1.0, -1e20, 1e-7, 3.3, 0.1};
   for (const bool reversed : {false, true}) {
     History history((reversed ? backward : forward).path(), 1, 1);
@@ -72,7 +72,7 @@ TEST(History, EnergiesDoNotDependOnTheOrder) {
 }
 
 TEST(History, WritesOnlyRowsThatTheFrontHasPassed) {
-  ResultFolder folder("history_front");
+  TemporaryFolder folder;
   History history(folder.path(), 0.25, 1);
   history.finish(0, {});
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "history.csv"));
@@ -87,7 +87,7 @@ TEST(History, WritesOnlyRowsThatTheFrontHasPassed) {
 }
 
 TEST(History, GoesOnBitwiseFromACheckpoint) {
-  ResultFolder whole("history_whole"), resumed("history_resumed");
+  TemporaryFolder whole, resumed;
   const auto early = [](History& history) { history.add_interval(0, 0.7, {.external_work = 1.0 / 3}); };
   const auto late = [](History& history) { history.add_interval(0.5, 1, {.external_work = 0.1}); };
   History history(whole.path(), 0.25, 1);
@@ -106,7 +106,7 @@ TEST(History, GoesOnBitwiseFromACheckpoint) {
 }
 
 TEST(History, RefusesToResumeWithoutItsFile) {
-  ResultFolder first("history_first"), second("history_second");
+  TemporaryFolder first, second;
   std::stringstream checkpoint;
   History history(first.path(), 0.5, 1);
   history.finish(0.5, {});

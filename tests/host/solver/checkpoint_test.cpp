@@ -14,6 +14,7 @@
 #include "host/solver/run.hpp"
 #include "tests/device/tested_device.hpp"
 #include "tests/host/solver/sample_cases.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {
