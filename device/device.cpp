@@ -8,6 +8,7 @@
 
 #include "device/gpu_driver.hpp"
 #include "device/target_runtime.hpp"
+#include "device/thread_choice.hpp"
 
 namespace tentpole {
 
@@ -66,7 +67,8 @@ std::optional<std::int64_t> free_host_memory() {
 }  // namespace
 
 Device host_device() {
-  return {omp_get_initial_device(), true, DeviceKind::host, kind_name(DeviceKind::host), omp_get_max_threads()};
+  return {omp_get_initial_device(), true, DeviceKind::host, kind_name(DeviceKind::host),
+          choose_threads(thread_supply(), 0).threads};
 }
 
 std::vector<Device> available_devices() {

@@ -87,9 +87,9 @@ std::string work_text(const Simulation& simulation, int num_threads) {
 int check_command(const CaseOptions& input) {
   const Simulation simulation = read_simulation(input);
   const Device device = host_device();
-  const int num_threads = input.threads > 0 ? input.threads : device.num_threads;
-  std::cout << header_text(simulation, device, num_threads) << materials_text(simulation) << boundaries_text(simulation)
-            << work_text(simulation, num_threads) << input.case_file.string() << " is valid\n";
+  const ThreadChoice choice = choose_threads(input);
+  std::cout << header_text(simulation, device, choice) << materials_text(simulation) << boundaries_text(simulation)
+            << work_text(simulation, choice.threads) << input.case_file.string() << " is valid\n";
   return 0;
 }
 

@@ -35,7 +35,7 @@ void add_case_options(CLI::App& command, CaseOptions& input) {
       ->allow_extra_args(false);
   command.add_option("--seed", input.seed, "seed of an unstructured mesh and of the defects of nucleation")
       ->type_name("N");
-  command.add_option("--threads", input.threads, "number of threads (default: all)")
+  command.add_option("--threads", input.threads, "number of threads (default: as many as cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""));
 }

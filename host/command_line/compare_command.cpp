@@ -53,7 +53,7 @@ RunResult run_on(const Simulation& simulation, const Device& device, const Compa
   std::cout << "running on " << device.name << "\n" << std::flush;
   RunOptions options;
   options.device = device;
-  options.threads = command.input.threads;
+  options.threads = choose_threads(command.input).threads;
   options.folder = prepared.path;
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   options.report = [&](const Progress& now) { progress.update(now); };
@@ -110,7 +110,7 @@ int compare_command(const CompareCommand& command) {
   const Interrupt interrupt("\nfinishing the batch; a second Ctrl-C quits at once\n");
   std::optional<TemporaryFolder> temporary;
   const fs::path folder = command.out ? *command.out : temporary.emplace().path();
-  std::cout << header_text(simulation, device, command.input.threads);
+  std::cout << header_text(simulation, device, choose_threads(command.input));
   const RunResult on_host = run_on(simulation, host_device(), command, folder / "host", interrupt);
   if (on_host.interrupted) return 130;
   const RunResult on_device = run_on(simulation, device, command, folder / "device", interrupt);

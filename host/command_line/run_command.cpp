@@ -66,11 +66,12 @@ int run_command(const RunCommand& command) {
   const Simulation simulation = read_simulation(command.input);
   RunOptions options;
   options.device = choose_device(command.offload, command.device);
-  options.threads = command.input.threads;
+  const ThreadChoice threads = choose_threads(command.input);
+  options.threads = threads.threads;
   options.check = command.check;
   options.resume = command.resume;
   options.folder = ready_folder(command);
-  if (!command.quiet) std::cout << header_text(simulation, options.device, options.threads) << std::flush;
+  if (!command.quiet) std::cout << header_text(simulation, options.device, threads) << std::flush;
 
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
