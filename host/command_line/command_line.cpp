@@ -8,7 +8,7 @@
 #include "host/case_file/input_error.hpp"
 #include "host/case_file/nearest_name.hpp"
 #include "host/command_line/commands.hpp"
-#include "host/command_line/quiet_hdf5.hpp"
+#include "host/command_line/prepare_hdf5.hpp"
 #include "host/mesh/mesh_error.hpp"
 #include "host/output/machine_info.hpp"
 
@@ -170,7 +170,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-  keep_hdf5_quiet();
+  prepare_hdf5();
   try {
     return dispatch(argc, argv);
   } catch (const InputError& error) {

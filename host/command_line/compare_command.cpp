@@ -55,6 +55,7 @@ RunResult run_on(const Simulation& simulation, const Device& device, const Compa
   options.device = device;
   options.threads = choose_threads(command.input).threads;
   options.folder = prepared.path;
+  options.require_folder = [&] { prepared.lock.require(); };
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   options.report = [&](const Progress& now) { progress.update(now); };
   options.interrupted = [&] { return interrupt.requested(); };
@@ -105,6 +106,7 @@ void print_difference(const ResultDifference& difference) {
 }  // namespace
 
 int compare_command(const CompareCommand& command) {
+  outlive_failed_writes();
   const Simulation simulation = read_simulation(command.input);
   const Device device = choose_device(true, command.device);
   const Interrupt interrupt("\nfinishing the batch; a second Ctrl-C quits at once\n");

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A resumed run goes on in the folder of its checkpoint, where its unfinished files are.
-fs::path resumed_folder(const RunCommand& command) {
+PreparedFolder resumed_folder(const RunCommand& command) {
   const fs::path& checkpoint = *command.resume;
   if (!fs::is_regular_file(checkpoint))
     throw InputError("--resume: there is no checkpoint " + checkpoint.string() +
@@ -23,17 +23,17 @@ fs::path resumed_folder(const RunCommand& command) {
   if (command.out && !(fs::exists(*command.out) && fs::equivalent(*command.out, folder)))
     throw InputError("--out " + command.out->string() + ": a resumed run goes on in the folder of its checkpoint, " +
                      folder.string() + ". Leave out --out.");
-  return folder;
+  return reopen_result_folder(folder);
 }
 
-fs::path ready_folder(const RunCommand& command) {
+PreparedFolder ready_folder(const RunCommand& command) {
   if (command.resume) return resumed_folder(command);
-  const PreparedFolder folder =
+  PreparedFolder folder =
       prepare_result_folder(command.out ? *command.out : default_result_folder(command.input.case_file));
   if (folder.moved_aside)
     std::cerr << "note: the older result in " << folder.path.string() << " is now in " << folder.moved_aside->string()
               << "\n";
-  return folder.path;
+  return folder;
 }
 
 /// As a shell takes it.
@@ -63,6 +63,7 @@ std::string resuming_command(const RunCommand& command, const fs::path& checkpoi
 }  // namespace
 
 int run_command(const RunCommand& command) {
+  outlive_failed_writes();
   const Simulation simulation = read_simulation(command.input);
   RunOptions options;
   options.device = choose_device(command.offload, command.device);
@@ -70,11 +71,13 @@ int run_command(const RunCommand& command) {
   options.threads = threads.threads;
   options.check = command.check;
   options.resume = command.resume;
-  options.folder = ready_folder(command);
+  const PreparedFolder folder = ready_folder(command);
+  options.folder = folder.path;
+  options.require_folder = [&] { folder.lock.require(); };
+  const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
   if (!command.quiet) std::cout << header_text(simulation, options.device, threads) << std::flush;
 
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
-  const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
   double front_time = 0;
   options.report = [&](const Progress& now) {
     front_time = now.front_time;

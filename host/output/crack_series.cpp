@@ -63,4 +63,9 @@ void CrackSeries::load(std::istream& stream) {
   num_written_ = num_written;
 }
 
+void CrackSeries::add_written(WrittenFiles& files) const {
+  for (int index = 0; index < num_written_; ++index) files.push_back({options_.folder / file_name(index)});
+  if (num_written_ > 0) files.push_back({options_.folder / "cracks.vtkhdf.series"});
+}
+
 }  // namespace tentpole

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/simplex.hpp"
+#include "host/output/written_files.hpp"
 
 namespace tentpole {
 
@@ -51,6 +52,9 @@ class CrackSeries {
   /// For checkpoints: how many files are written.
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+
+  /// The files written so far.
+  void add_written(WrittenFiles& files) const;
 
  private:
   Options options_;

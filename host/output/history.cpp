@@ -142,4 +142,8 @@ void History::load(std::istream& stream) {
   impl_->rows = std::move(rows);
 }
 
+void History::add_written(WrittenFiles& files) const {
+  impl_->file.add_written(files);
+}
+
 }  // namespace tentpole

@@ -41,6 +41,7 @@ class Probe {
 
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+  void add_written(WrittenFiles& files) const { file_.add_written(files); }
 
  private:
   struct Sample {

@@ -72,6 +72,15 @@ void restore_totals(const CheckpointContents& contents, RunBooks& books) {
   books.earlier_fallbacks = contents.run_counts[3];
 }
 
+/// Before anything is written: a run whose earlier output is gone would end with an incomplete result.
+void require_output(const RunBooks& books, const FrontMarch& march) {
+  WrittenFiles files;
+  books.recorder.add_written(files);
+  books.history.add_written(files);
+  march.add_written(files);
+  require_written(files);
+}
+
 /// Waits until the rows of all tables in the folder are on the disk.
 void flush_tables(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -116,6 +125,7 @@ void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMa
     restore(books.ledger, contents.ledger, "ledger");
     restore(books.recorder, contents.recorder, "recorder");
     restore(books.history, contents.history, "history");
+    require_output(books, march);
   } catch (const std::exception& error) {
     throw InputError(file.string() + ": cannot be resumed: " + error.what());
   }

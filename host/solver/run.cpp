@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "host/adaptive/adaptive_march.hpp"
+#include "host/output/file_identity.hpp"
 #include "host/output/output_times.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
@@ -28,13 +29,14 @@ std::string field_name(OutputField field) {
   return "";
 }
 
-RecorderOptions recorder_options(const Simulation& simulation, const std::filesystem::path& folder) {
+RecorderOptions recorder_options(const Simulation& simulation, const RunOptions& run) {
   const Case& settings = simulation.settings;
   RecorderOptions options;
   options.dimension = simulation.dimension();
   options.degree = simulation.degree();
   options.plane_stress = settings.materials.begin()->second.plane == Plane::stress;
-  options.folder = folder;
+  options.folder = run.folder;
+  options.require_folder = run.require_folder;
   options.snapshot_times = settings.output.snapshot_times;
   for (const OutputField field : settings.output.fields) options.fields.push_back(field_name(field));
   for (const ProbeSettings& probe : settings.output.probes)
@@ -107,7 +109,7 @@ Run::Run(const Simulation& simulation, const RunOptions& options)
     : simulation_(simulation),
       options_(options),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
-      recorder_(recorder_options(simulation, options.folder)),
+      recorder_(recorder_options(simulation, options)),
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
@@ -138,6 +140,8 @@ bool Run::advance_until_stopped(const AdvanceOptions& options) {
   // The type decides about the exit code, so it stays.
   try {
     return march_->advance(options);
+  } catch (const FolderLost&) {
+    throw;  // no checkpoint: it would be written into another run's folder
   } catch (const InputError& error) {
     throw InputError(error.what() + save_after_failure());
   } catch (const std::runtime_error& error) {
@@ -151,6 +155,7 @@ bool Run::checkpoint_is_due() const {
 }
 
 void Run::save() {
+  options_.require_folder();
   count_total_time();
   save_checkpoint(checkpoint_file(), options_.folder, books_, *march_);
   last_save_ = Clock::now();
@@ -210,6 +215,7 @@ RunResult run_simulation(const Simulation& simulation, const RunOptions& options
   if (result.interrupted) {
     result.checkpoint = run.checkpoint_file();
   } else {
+    options.require_folder();
     write_run_summary(options.folder, result.summary);
     remove_checkpoint_file(run.checkpoint_file());
   }

@@ -26,6 +26,8 @@ struct RunOptions {
   std::optional<std::filesystem::path> resume;  ///< checkpoint to go on from
   std::function<void(const Progress&)> report = [](const Progress&) {};
   std::function<bool()> interrupted = [] { return false; };
+  /// Called before anything is written to the folder; throws FolderLost if the folder is not the run's any more.
+  std::function<void()> require_folder = [] {};
 };
 
 struct RunResult {
@@ -40,7 +42,8 @@ struct RunResult {
 /// as the device computes alike); a run that reaches the end removes it. `folder` must then hold the output of the run
 /// that wrote the checkpoint. Throws std::runtime_error with place and time when a patch cannot be solved, InputError
 /// where an expression is not finite; the message says which checkpoint there is, and all finished output stays
-/// readable. Throws InputError for a checkpoint that is damaged or of a run with other settings.
+/// readable. Throws InputError for a checkpoint that is damaged, of a run with other settings, or whose output is gone,
+/// FolderLost, writing nothing any more, when the folder is deleted, replaced or taken by another run.
 RunResult run_simulation(const Simulation& simulation, const RunOptions& options);
 
 }  // namespace tentpole

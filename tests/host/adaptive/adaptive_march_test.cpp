@@ -169,6 +169,22 @@ TEST(SpallingBar, ResumedIsTheUninterruptedRun) {
   expect_same_files(folder);
 }
 
+TEST(SpallingBar, ResumesOnlyWhereTheCrackFilesAre) {
+  const fs::path folder = test_folder("parts");
+  ASSERT_TRUE(run_leg(whole_run().simulation, folder, {.rounds = whole_run().num_rounds / 2}).interrupted);
+  for (const char* name : {"cracks_0000.vtkhdf", "cracks.vtkhdf.series"}) {
+    ASSERT_TRUE(fs::exists(folder / name)) << name;
+    fs::rename(folder / name, folder / "away");
+    try {
+      run_leg(whole_run().simulation, folder, {.resume = true});
+      ADD_FAILURE() << "goes on without " << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string(name) + " is missing"), std::string::npos) << error.what();
+    }
+    fs::rename(folder / "away", folder / name);
+  }
+}
+
 TEST(SpallingBar, InterruptedAfterEachOfManyRoundsIsTheUninterruptedRun) {
   const fs::path folder = test_folder("often");
   for (int round = 0; round < 20; ++round)

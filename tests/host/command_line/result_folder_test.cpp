@@ -20,7 +20,7 @@ TEST(ResultFolder, IsCreatedWithItsParents) {
   const PreparedFolder folder = prepare_result_folder(root.path() / "a/b/");
   EXPECT_EQ(folder.path, root.path() / "a/b");
   EXPECT_FALSE(folder.moved_aside);
-  EXPECT_TRUE(fs::is_empty(folder.path));
+  EXPECT_FALSE(holds_result(folder.path));
 }
 
 TEST(ResultFolder, OlderResultsMoveToTheFirstFreeNumber) {
@@ -29,12 +29,31 @@ TEST(ResultFolder, OlderResultsMoveToTheFirstFreeNumber) {
   for (const char* text : {"first", "second"}) {
     root.write("r/summary.json", text);
     const PreparedFolder folder = prepare_result_folder(root.path() / "r/");
-    EXPECT_TRUE(fs::is_empty(folder.path));
+    EXPECT_FALSE(holds_result(folder.path));
     ASSERT_TRUE(folder.moved_aside);
+    EXPECT_FALSE(fs::exists(*folder.moved_aside / FolderLock::file_name));
   }
   EXPECT_EQ(fs::file_size(root.path() / "r.2/summary.json"), 5u);
   EXPECT_EQ(fs::file_size(root.path() / "r.3/summary.json"), 6u);
   EXPECT_TRUE(fs::exists(root.path() / "r.1/notes.txt"));
+}
+
+TEST(ResultFolder, OfALivingRunIsRefusedAndStaysWhereItIs) {
+  const TemporaryFolder root;
+  const PreparedFolder folder = prepare_result_folder(root.path() / "r");
+  for (const bool has_result : {false, true}) {
+    if (has_result) root.write("r/history.csv", "time\n");
+    EXPECT_THROW(prepare_result_folder(root.path() / "r"), InputError);
+    EXPECT_THROW(reopen_result_folder(root.path() / "r"), InputError);
+    EXPECT_FALSE(fs::exists(root.path() / "r.1"));
+  }
+  folder.lock.require();
+}
+
+TEST(ResultFolder, WithTheLockOfADeadRunAndNothingElseIsUsed) {
+  const TemporaryFolder root;
+  root.write("r/.lock", "noise");
+  EXPECT_FALSE(prepare_result_folder(root.path() / "r").moved_aside);
 }
 
 TEST(ResultFolder, WhatAKilledRunLeavesCountsAsAResult) {

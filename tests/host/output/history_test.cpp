@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/output/file_identity.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace tentpole {
@@ -112,7 +113,11 @@ TEST(History, RefusesToResumeWithoutItsFile) {
   history.finish(0.5, {});
   history.save(checkpoint);
   History other(second.path(), 0.5, 1);
-  EXPECT_THROW(other.load(checkpoint), std::runtime_error);
+  other.load(checkpoint);
+  WrittenFiles files;
+  other.add_written(files);
+  EXPECT_THROW(require_written(files), std::runtime_error);
+  EXPECT_THROW(other.finish(1, {}), FolderLost);
 }
 
 }  // namespace
