@@ -8,6 +8,7 @@
 #include "device/stage_timer.hpp"
 #include "host/command_line/quantity.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/mesh/printable.hpp"
 
 namespace tentpole {
 namespace {
@@ -103,7 +104,7 @@ std::string header_text(const Simulation& simulation, const Device& device, cons
   const int num_threads = on_cores ? choice.threads : device.num_threads;
   const std::string reason = on_cores && !choice.reason.empty() ? " (" + choice.reason + ")" : "";
   const std::string number = device.is_host ? "" : std::to_string(device.number) + ": ";
-  return simulation.settings.title + "\n" +
+  return printable(simulation.settings.title) + "\n" +
          text_table({{"mesh", std::to_string(dimension) + "D, " + count_text(mesh.num_cells()) + " " +
                                   cell_kind_text(dimension) + ", shortest edge " +
                                   short_number(simulation.smallest_edge) + " m"},
@@ -146,8 +147,8 @@ std::string files_text(const std::filesystem::path& folder) {
     rows.push_back(
         {"cracks.vtkhdf.series", count_text(num_crack_files) + " files of fracture edges, opens in ParaView"});
   std::sort(rows.begin(), rows.end());
-  return "files in " + folder.string() + "\n" + text_table(rows, "ll") + "pictures: tentpole plot " + folder.string() +
-         "\n";
+  const std::string place = printable(folder.string());
+  return "files in " + place + "\n" + text_table(rows, "ll") + "pictures: tentpole plot " + place + "\n";
 }
 
 }  // namespace tentpole
