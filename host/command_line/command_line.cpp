@@ -49,7 +49,10 @@ void add_run(CLI::App& app, RunCommand& command) {
   add_case_options(*run, command.input);
   run->add_option("--out", command.out, "result folder (default: result_CASE); an older one is moved to DIR.1")
       ->type_name("DIR");
-  run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  CLI::Option* resume =
+      run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  run->add_flag("--force", command.force, "resume also from a checkpoint that another build of the program wrote")
+      ->needs(resume);
   run->add_flag("--offload", command.offload, "solve on an OpenMP device: a GPU, or else the virtual device");
   add_device_option(*run, command.device, "the device with this number in `tentpole devices`; implies --offload");
   run->add_flag("--check", command.check, "verify the energy balance of every patch");

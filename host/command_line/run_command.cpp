@@ -69,6 +69,8 @@ int run_command(const RunCommand& command) {
   options.threads = command.input.threads;
   options.check = command.check;
   options.resume = command.resume;
+  options.any_build = command.force;
+  options.note = [](const std::string& text) { std::cerr << "note: " << text << "\n"; };
   options.folder = ready_folder(command);
   if (!command.quiet) std::cout << header_text(simulation, options.device, options.threads) << std::flush;
 

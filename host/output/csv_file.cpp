@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -38,7 +39,7 @@ void CsvFile::save(std::ostream& stream) const {
 }
 
 void CsvFile::load(std::istream& stream) {
-  num_bytes_ = read_value<std::int64_t>(stream);
+  num_bytes_ = read_number(stream, std::numeric_limits<std::int64_t>::max(), "the length of a table");
   if (num_bytes_ == 0) return;
   std::error_code error;
   const auto size = std::filesystem::file_size(file_, error);

@@ -31,12 +31,17 @@ struct FlowSums {
     fracture += other.fracture;
     friction += other.friction;
   }
+  bool is_sound() const {
+    return external_work.is_sound() && numerical.is_sound() && fracture.is_sound() && friction.is_sound();
+  }
 };
 
 struct Row {
   ExactSum kinetic, strain;
   FlowSums partial;   ///< shares of flows that this row cuts
   FlowSums complete;  ///< flows that are complete at this row and not at the row before
+
+  bool is_sound() const { return kinetic.is_sound() && strain.is_sound() && partial.is_sound() && complete.is_sound(); }
 };
 
 }  // namespace
@@ -133,7 +138,7 @@ void History::save(std::ostream& stream) const {
 
 void History::load(std::istream& stream) {
   impl_->file.load(stream);
-  impl_->num_written = read_value<int>(stream);
+  impl_->num_written = read_number(stream, static_cast<int>(impl_->rows.size()), "the number of written rows");
   impl_->passed = read_value<FlowSums>(stream);
   std::vector<Row> rows = read_vector<Row>(stream);
   if (rows.size() != impl_->rows.size())

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 #include "host/output/binary_stream.hpp"
@@ -226,11 +227,13 @@ void Ledger::save(std::ostream& stream) const {
 }
 
 void Ledger::load(std::istream& stream) {
-  for (std::int64_t* count : {&num_patches_, &num_elements_, &num_batches_}) *count = read_value<std::int64_t>(stream);
+  for (std::int64_t* count : {&num_patches_, &num_elements_, &num_batches_})
+    *count = read_number(stream, std::numeric_limits<std::int64_t>::max(), "a count");
   for (ExactSum* sum :
        {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &fracture_, &friction_, &modelled_flops_})
     *sum = read_value<ExactSum>(stream);
-  for (double* value : {&largest_energy_, &largest_imbalance_, &largest_increase_}) *value = read_value<double>(stream);
+  for (double* value : {&largest_energy_, &largest_imbalance_, &largest_increase_})
+    *value = read_number(stream, std::numeric_limits<double>::max(), "an energy");
   errors_.load(stream);
 }
 

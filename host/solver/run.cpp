@@ -67,6 +67,11 @@ std::unique_ptr<FrontMarch> make_march(RunBooks& books, const std::filesystem::p
   return std::make_unique<FixedMarch>(books);
 }
 
+std::string other_build_warning(const RunBooks& books) {
+  return "resumed from a checkpoint of another build (" + books.builds[books.builds.size() - 2] +
+         "): the result may differ in some bits from that of an uninterrupted run.";
+}
+
 /// Everything that a run owns; the parts refer to each other.
 class Run {
  public:
@@ -82,7 +87,8 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool advance_until_stopped(const AdvanceOptions& options);
+  template <class Step>
+  auto saving_after_failure(const Step& step);
   void save();
   std::string save_after_failure();
   void count_total_time();
@@ -112,8 +118,22 @@ Run::Run(const Simulation& simulation, const RunOptions& options)
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
       march_(make_march(books_, options.folder)) {
-  if (options.resume) load_checkpoint(*options.resume, books_, *march_);
+  if (options.resume) load_checkpoint(*options.resume, books_, *march_, options.any_build);
+  if (books_.builds.size() > 1) options.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);
+}
+
+/// A step of the run; the message of a failure also says how to go on.
+template <class Step>
+auto Run::saving_after_failure(const Step& step) {
+  // The type decides about the exit code, so it stays.
+  try {
+    return step();
+  } catch (const InputError& error) {
+    throw InputError(error.what() + save_after_failure());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(error.what() + save_after_failure());
+  }
 }
 
 bool Run::advance() {
@@ -126,23 +146,11 @@ bool Run::advance() {
     interrupted = interrupted || options_.interrupted();
     return !interrupted && !checkpoint_is_due();
   };
-  while (!advance_until_stopped(advance)) {
+  while (!saving_after_failure([&] { return march_->advance(advance); })) {
     save();
     if (interrupted) return false;
   }
   return true;
-}
-
-/// The march; the message of a failure also says how to go on.
-bool Run::advance_until_stopped(const AdvanceOptions& options) {
-  // The type decides about the exit code, so it stays.
-  try {
-    return march_->advance(options);
-  } catch (const InputError& error) {
-    throw InputError(error.what() + save_after_failure());
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(error.what() + save_after_failure());
-  }
 }
 
 bool Run::checkpoint_is_due() const {
@@ -196,6 +204,7 @@ RunSummary Run::summary() {
         std::to_string(summary.counts.dense_fallbacks) +
         " patches missed the residual tolerance and were solved by pivoted dense LU on the host. "
         "Check the mesh for very flat cells.");
+  if (books_.builds.size() > 1) summary.warnings.push_back(other_build_warning(books_));
   fill_stages(timer_, summary.stages);
   return summary;
 }

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/output/machine_info.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/result_settings.hpp"
 #include "host/solver/run.hpp"
@@ -190,13 +191,44 @@ TEST_F(RefusedCheckpoint, OfAnotherCaseNamesTheFirstDifference) {
   EXPECT_EQ(with("title=another name"), "resumed") << "what does not change the result may change";
 }
 
+TEST_F(RefusedCheckpoint, OfAnotherBuildNamesBothAndGoesOnWhenForced) {
+  const fs::path whole = test_folder("whole");
+  run_leg(simulation_, whole, {}, false);
+  const fs::path file = folder_ / "checkpoint.h5";
+  CheckpointContents contents = read_checkpoint_file(file);
+  ASSERT_EQ(contents.builds, std::vector{build_identity()});
+  const std::string other = "tentpole 0.0.9, sources 0123456789ab, g++ 4";
+  contents.builds = {other};
+  write_checkpoint_file(file, contents);
+  const std::string message = refusal(simulation_, folder_);
+  for (const std::string& part : {file.string(), other, build_identity(), std::string("--force")})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  // Also when it is interrupted in between.
+  RunOptions options;
+  options.folder = folder_;
+  options.resume = file;
+  options.any_build = true;
+  std::string note;
+  options.note = [&](const std::string& text) { note = text; };
+  options.interrupted = [] { return true; };
+  ASSERT_TRUE(run_simulation(simulation_, options).interrupted);
+  EXPECT_NE(note.find(other), std::string::npos) << note;
+  EXPECT_EQ(read_checkpoint_file(file).builds, (std::vector{other, build_identity()}));
+  options.any_build = false;
+  options.interrupted = [] { return false; };
+  const RunSummary summary = run_simulation(simulation_, options).summary;
+  ASSERT_FALSE(summary.warnings.empty());
+  EXPECT_NE(summary.warnings.back().find(other), std::string::npos) << summary.warnings.back();
+  EXPECT_EQ(bytes_of(folder_ / "history.csv"), bytes_of(whole / "history.csv")) << "the builds are the same in truth";
+}
+
 void put_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
 }
 
 bool equal(const CheckpointContents& a, const CheckpointContents& b) {
-  return a.settings == b.settings && a.front_times == b.front_times && a.cell_element == b.cell_element &&
-         a.cell_facet == b.cell_facet && a.coefficients == b.coefficients &&
+  return a.builds == b.builds && a.settings == b.settings && a.front_times == b.front_times &&
+         a.cell_element == b.cell_element && a.cell_facet == b.cell_facet && a.coefficients == b.coefficients &&
          a.inverse_jacobians == b.inverse_jacobians && a.ledger == b.ledger && a.recorder == b.recorder &&
          a.history == b.history && a.stage_seconds == b.stage_seconds && a.run_counts == b.run_counts;
 }
