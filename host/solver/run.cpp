@@ -150,6 +150,7 @@ bool Run::advance() {
     save();
     if (interrupted) return false;
   }
+  saving_after_failure([&] { ledger_.require_balance(); });
   return true;
 }
 
