@@ -11,6 +11,7 @@
 #include "host/command_line/quiet_hdf5.hpp"
 #include "host/mesh/mesh_error.hpp"
 #include "host/output/machine_info.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -182,8 +183,8 @@ int run_command_line(int argc, char** argv) {
   } catch (const MeshError& error) {
     std::cerr << error.what() << "\n";
     return bad_input;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory. `tentpole check` says what a case needs; give fewer cells or a lower degree.\n";
+  } catch (const std::bad_alloc& error) {
+    std::cerr << out_of_memory_text(error) << "\n";
     return failed;
   } catch (const std::exception& error) {
     std::cerr << "the run failed: " << error.what() << "\n";

@@ -8,6 +8,7 @@
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/fixed_march.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -89,6 +90,7 @@ class Run {
 
   template <class Step>
   auto saving_after_failure(const Step& step);
+  void hold_reserve();
   void save();
   std::string save_after_failure();
   void count_total_time();
@@ -100,6 +102,7 @@ class Run {
   TrafficCounters traffic_;
   Clock::time_point counted_ = Clock::now();  ///< up to here the total time is counted
   Clock::time_point last_save_ = Clock::now();
+  MemoryReserve reserve_;
   ElementStore store_;
   BatchRunner runner_;
   Recorder recorder_;
@@ -133,15 +136,19 @@ auto Run::saving_after_failure(const Step& step) {
     throw InputError(error.what() + save_after_failure());
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(error.what() + save_after_failure());
+  } catch (const std::bad_alloc& error) {
+    throw std::runtime_error(out_of_memory_text(error) + save_after_failure());
   }
 }
 
 bool Run::advance() {
+  hold_reserve();
   bool interrupted = false;
   AdvanceOptions advance;
   advance.max_patches = batch_size(simulation_.settings, options_.device);
   advance.check = options_.check;
   advance.after_batch = [&](double front_time) {
+    hold_reserve();
     options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), march_->num_cells()});
     interrupted = interrupted || options_.interrupted();
     return !interrupted && !checkpoint_is_due();
@@ -152,6 +159,15 @@ bool Run::advance() {
   }
   saving_after_failure([&] { ledger_.require_balance(); });
   return true;
+}
+
+/// What a checkpoint takes: elements below the front once as they come and once in the file's contents, output that
+/// waits, HDF5's buffers.
+void Run::hold_reserve() {
+  constexpr std::size_t buffers = 32 << 20;
+  const int d = simulation_.dimension() + 1;
+  const std::size_t row = simulation_.dimension() * num_polynomials(d, simulation_.degree()) + d * d;
+  reserve_.hold(buffers + 4 * row * sizeof(double) * march_->num_cells());
 }
 
 bool Run::checkpoint_is_due() const {

@@ -312,6 +312,26 @@ TEST(FailedRun, LeavesTheStateBeforeTheFaultInACheckpointAndSaysWhere) {
   }
 }
 
+// The callback leaks until the system refuses, so all that a checkpoint takes comes from the reserve.
+TEST(RunWithoutMemory, LeavesACheckpointAndSaysWhatWasWanted) {
+  const fs::path whole = test_folder("whole"), folder = test_folder("starved");
+  const fs::path case_file = whole.parent_path() / "starved_run_case.toml";
+  const Simulation simulation = simulation_of(sample_case(2), whole);
+  run_leg(simulation, whole, {}, false);
+  std::ofstream(case_file) << sample_case(2);
+  const fs::path errors = folder.parent_path() / "starved_run_errors.txt";
+  const std::string command = std::string(TENTPOLE_SOLVE_CASE) + " '" + case_file.string() + "' '" + folder.string() +
+                              "' 1e9 9 2> '" + errors.string() + "'";
+  const int status = std::system(command.c_str());
+  const std::string message = bytes_of(errors);
+  ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status << " " << message;
+  for (const std::string& part : {std::string("out of memory: 1 MiB were asked for, "), std::string(" are free"),
+                                  (folder / "checkpoint.h5").string()})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  run_leg(simulation, folder, {}, true);
+  EXPECT_EQ(results_in(folder), results_in(whole));
+}
+
 TEST(Checkpoint, ThatCannotBeWrittenEndsTheRunWithAMessage) {
   const fs::path folder = test_folder("run");
   fs::create_directories(folder / "checkpoint.h5" / "in the way");
