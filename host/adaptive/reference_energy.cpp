@@ -61,11 +61,21 @@ Point facet_vector(const SpaceMesh& mesh, int cell, int facet) {
   return normal;
 }
 
-/// Z v^2 or s^2 / Z of one component of a load; absorbing sides let nothing in.
-double power(BoundaryKind kind, double value, double impedance) {
+/// Z v^2 or s^2 / Z of one component of a load, and (s + Z v)^2 / 4 Z of a far field, which is what its wave brings.
+double power(BoundaryKind kind, double value, double velocity, double impedance) {
   if (kind == BoundaryKind::velocity) return impedance * value * value;
   if (kind == BoundaryKind::traction) return value * value / impedance;
-  return 0;
+  const double amplitude = value + impedance * velocity;
+  return amplitude * amplitude / (4 * impedance);
+}
+
+struct Parts {
+  double along, across;  ///< component along a normal, length of what is left
+};
+
+Parts parts(const Point& vector, const Point& normal) {
+  const double along = dot(vector, normal);
+  return {along, std::sqrt(std::max(0.0, dot(vector, vector) - along * along))};
 }
 
 /// Estimated work on one boundary facet [J].
@@ -83,10 +93,13 @@ double boundary_work(const Simulation& simulation, BoundaryCondition& condition,
   const double step = simulation.settings.end_time / num_time_samples;
   double work = 0;
   for (int sample = 0; sample < num_time_samples; ++sample) {
-    const Point value = condition.value(middle, (sample + 0.5) * step, normal);
-    const double along = dot(value, normal), across = std::sqrt(std::max(0.0, dot(value, value) - along * along));
-    work += step * (power(condition.normal_kind(), along, material.density * material.dilatational_speed()) +
-                    power(condition.tangential_kind(), across, material.density * material.shear_speed()));
+    const double time = (sample + 0.5) * step;
+    const Parts value = parts(condition.value(middle, time, normal), normal),
+                velocity = parts(condition.far_field_velocity(middle, time), normal);
+    work +=
+        step *
+        (power(condition.normal_kind(), value.along, velocity.along, material.density * material.dilatational_speed()) +
+         power(condition.tangential_kind(), value.across, velocity.across, material.density * material.shear_speed()));
   }
   return work * measure * std::pow(unit, mesh.dimension - 1);
 }

@@ -53,6 +53,12 @@ BoundaryCondition BoundaryCondition::absorbing() {
   return by_vector(BoundaryKind::absorbing, {}, {});
 }
 
+BoundaryCondition BoundaryCondition::absorbing(VectorExpression velocity, VectorExpression traction) {
+  BoundaryCondition condition = by_vector(BoundaryKind::absorbing, std::move(traction), {});
+  condition.far_field_velocity_ = std::move(velocity);
+  return condition;
+}
+
 BoundaryCondition BoundaryCondition::periodic(std::string partner) {
   BoundaryCondition condition;
   condition.partner_ = std::move(partner);
@@ -73,8 +79,13 @@ std::array<double, 3> BoundaryCondition::value(const std::array<double, 3>& poin
   return result;
 }
 
+std::array<double, 3> BoundaryCondition::far_field_velocity(const std::array<double, 3>& point, double time) {
+  return far_field_velocity_ ? far_field_velocity_->evaluate(point, time) : std::array<double, 3>{};
+}
+
 bool BoundaryCondition::is_zero() const {
-  return vector_.is_zero() && (!normal_ || normal_->is_zero());
+  return vector_.is_zero() && (!normal_ || normal_->is_zero()) &&
+         (!far_field_velocity_ || far_field_velocity_->is_zero());
 }
 
 }  // namespace tentpole

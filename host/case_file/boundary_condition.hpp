@@ -31,23 +31,32 @@ class BoundaryCondition {
                                          BoundaryKind tangential_kind, VectorExpression tangential, Ramp ramp);
   /// All components of one kind, velocity [m/s] or traction sigma n on the outward normal n [Pa], in global axes.
   static BoundaryCondition by_vector(BoundaryKind kind, VectorExpression value, Ramp ramp);
-  /// Outgoing plane waves leave; the far field is at rest and free of stress.
+  /// Outgoing plane waves leave; beyond the side the initial state goes on as it is there.
   static BoundaryCondition absorbing();
+  /// The same with a far field given by the case: its velocity [m/s] and its traction on the outward normal [Pa], in
+  /// global axes.
+  static BoundaryCondition absorbing(VectorExpression velocity, VectorExpression traction);
   /// The side is glued to the opposite side `partner`; it has no kind and no value.
   static BoundaryCondition periodic(std::string partner);
 
   BoundaryKind normal_kind() const { return normal_kind_; }
   BoundaryKind tangential_kind() const { return tangential_kind_; }
   bool is_periodic() const { return !partner_.empty(); }
+  bool is_absorbing() const { return normal_kind_ == BoundaryKind::absorbing; }
+  /// An absorbing side whose far field the case gives.
+  bool has_far_field() const { return far_field_velocity_.has_value(); }
   const std::string& periodic_partner() const { return partner_; }
   const Ramp& ramp() const { return ramp_; }
 
   /// Vector in global axes as the boundary block of kernels/patch_batch.hpp takes it: its part along the normal is the
   /// prescribed normal velocity or traction, its tangential part the prescribed tangential one; both times the ramp.
-  /// The outward normal has length 1. Throws InputError if an expression is not finite there.
+  /// Of an absorbing side: the traction of a given far field. The outward normal has length 1. Throws InputError if an
+  /// expression is not finite there.
   std::array<double, 3> value(const std::array<double, 3>& point, double time,
                               const std::array<double, 3>& outward_normal);
-  /// True if value() is zero everywhere and always: no boundary block is needed.
+  /// Velocity of a given far field [m/s]; otherwise zero. Throws as value().
+  std::array<double, 3> far_field_velocity(const std::array<double, 3>& point, double time);
+  /// True if value() and far_field_velocity() are zero everywhere and always.
   bool is_zero() const;
 
  private:
@@ -56,6 +65,7 @@ class BoundaryCondition {
   BoundaryKind tangential_kind_ = BoundaryKind::traction;
   std::optional<Expression> normal_;  ///< absent: vector_ holds all components
   VectorExpression vector_;           ///< all components, or the tangential ones
+  std::optional<VectorExpression> far_field_velocity_;
   Ramp ramp_;
   std::string partner_;
 };

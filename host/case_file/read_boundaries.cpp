@@ -98,11 +98,19 @@ std::optional<BoundaryCondition> read_vector(const TableReader& reader, const st
                                       std::move(*value), read_ramp(reader, context));
 }
 
-std::optional<BoundaryCondition> read_absorbing(const TableReader& reader) {
+/// What an absorbing side may have besides: one of them given, the other is zero.
+constexpr const char* far_field_keys[] = {"far_field_velocity", "far_field_traction"};
+
+std::optional<BoundaryCondition> read_absorbing(const TableReader& reader, const SectionContext& context) {
   const auto absorbing = reader.boolean("absorbing", Presence::required);
   if (absorbing && !*absorbing)
     reader.report("absorbing", "leaves the side without a condition. Set it to true or give another condition.");
-  return BoundaryCondition::absorbing();
+  if (!reader.has(far_field_keys[0]) && !reader.has(far_field_keys[1])) return BoundaryCondition::absorbing();
+  const auto read = [&](const char* key) {
+    return reader.vector_expression(key, Presence::optional, context.domain.dimension, context.constants)
+        .value_or(VectorExpression());
+  };
+  return BoundaryCondition::absorbing(read(far_field_keys[0]), read(far_field_keys[1]));
 }
 
 std::optional<BoundaryCondition> read_periodic(const TableReader& reader, const std::string& side,
@@ -124,7 +132,7 @@ std::optional<BoundaryCondition> read_periodic(const TableReader& reader, const 
   return BoundaryCondition::periodic(*partner);
 }
 
-/// Reports a second way of prescribing the same side, and a ramp without a load.
+/// Reports a second way of prescribing the same side, a ramp without a load, and a far field of no absorbing side.
 bool is_consistent(const TableReader& reader, const std::vector<std::string>& given) {
   const auto is_component = [](const std::string& key) { return key.find('_') != std::string::npos; };
   bool consistent = true;
@@ -138,13 +146,20 @@ bool is_consistent(const TableReader& reader, const std::vector<std::string>& gi
       reader.report(key, "has no load to ramp, because the side is " + given[0] + ". Remove it.");
       consistent = false;
     }
+  for (const char* key : far_field_keys)
+    if (reader.has(key) && given[0] != "absorbing") {
+      reader.report(key, "is of an absorbing side, but the side has " + given[0] +
+                             ". Remove it, or write absorbing = true instead of " + given[0] + ".");
+      consistent = false;
+    }
   return consistent;
 }
 
 std::optional<BoundaryCondition> read_side(const TableReader& reader, const std::string& side,
                                            const SectionContext& context) {
   reader.allow_only({"normal_velocity", "tangential_velocity", "normal_traction", "tangential_traction", "velocity",
-                     "traction", "absorbing", "periodic", "ramp", "ramp_order"});
+                     "traction", "absorbing", "far_field_velocity", "far_field_traction", "periodic", "ramp",
+                     "ramp_order"});
   const std::vector<std::string> given = given_conditions(reader);
   if (given.empty()) {
     reader.report("normal_traction",
@@ -153,7 +168,7 @@ std::optional<BoundaryCondition> read_side(const TableReader& reader, const std:
     return std::nullopt;
   }
   if (!is_consistent(reader, given)) return std::nullopt;
-  if (given[0] == "absorbing") return read_absorbing(reader);
+  if (given[0] == "absorbing") return read_absorbing(reader, context);
   if (given[0] == "periodic") return read_periodic(reader, side, context);
   if (given[0] == "velocity" || given[0] == "traction") return read_vector(reader, given[0], context);
   return read_components(reader, context);

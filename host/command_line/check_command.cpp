@@ -37,11 +37,19 @@ std::string kind_text(BoundaryKind kind) {
   return "";
 }
 
-std::string condition_text(const BoundaryCondition& condition, int dimension) {
+/// What comes in through an absorbing side; nothing where that is nothing.
+std::string far_field_text(const BoundaryCondition& condition, const Case& settings) {
+  if (condition.has_far_field()) return condition.is_zero() ? ", far field zero" : ", far field given";
+  const bool is_at_rest = settings.initial_displacement.is_zero() && settings.initial_velocity.is_zero();
+  return is_at_rest ? "" : ", far field in the initial state";
+}
+
+std::string condition_text(const BoundaryCondition& condition, const Simulation& simulation) {
+  const int dimension = simulation.dimension();
   const std::string normal = kind_text(condition.normal_kind()), tangential = kind_text(condition.tangential_kind());
   std::string text =
       dimension == 1 || normal == tangential ? normal : "normal " + normal + ", tangential " + tangential;
-  if (condition.normal_kind() == BoundaryKind::absorbing) return text;
+  if (condition.is_absorbing()) return text + far_field_text(condition, simulation.settings);
   if (condition.is_zero()) text += ", zero";
   if (condition.ramp().rise_time > 0) text += ", rising over " + short_number(condition.ramp().rise_time) + " s";
   return text;
@@ -50,8 +58,8 @@ std::string condition_text(const BoundaryCondition& condition, int dimension) {
 std::string boundaries_text(const Simulation& simulation) {
   Rows rows;
   for (std::size_t boundary = 0; boundary < simulation.conditions.size(); ++boundary)
-    rows.push_back({simulation.mesh.boundary_names[boundary],
-                    condition_text(simulation.conditions[boundary], simulation.dimension())});
+    rows.push_back(
+        {simulation.mesh.boundary_names[boundary], condition_text(simulation.conditions[boundary], simulation)});
   for (const auto& [name, condition] : simulation.settings.boundaries)
     if (condition.is_periodic() && name < condition.periodic_partner())
       rows.push_back({name, "periodic with " + condition.periodic_partner()});

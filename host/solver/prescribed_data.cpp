@@ -4,8 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "host/solver/central_difference.hpp"
-
 namespace tentpole {
 namespace {
 
@@ -88,8 +86,8 @@ PrescribedData::PrescribedData(const Simulation& simulation)
       num_facet_modes_(num_polynomials(dimension_, simulation.degree() - 1)),
       scaling_(simulation.scaling),
       conditions_(simulation.conditions),
-      initial_displacement_(simulation.settings.initial_displacement),
-      initial_velocity_(simulation.settings.initial_velocity),
+      far_field_(simulation),
+      initial_(simulation.settings),
       body_force_(simulation.settings.body_force),
       facet_rule_(simplex_quadrature(dimension_, 2 * simulation.degree() + 4)),
       volume_rule_(simplex_quadrature(dimension_ + 1, 2 * simulation.degree() + 2)),
@@ -105,29 +103,11 @@ PrescribedData::Point PrescribedData::to_si(const Point& scaled) const {
   return {scaled[0] * scaling_.length, scaled[1] * scaling_.length, scaled[2] * scaling_.length};
 }
 
-void PrescribedData::initial_state(const Point& point, double step, Point& velocity, std::array<double, 6>& strain,
-                                   Point& displacement) {
-  velocity = initial_velocity_.evaluate(point, 0);
-  displacement = initial_displacement_.evaluate(point, 0);
-  strain = {};
-  for (int axis = 0; axis < dimension_; ++axis) {
-    const Point derivative = central_difference(
-        [&](double offset) {
-          Point moved = point;
-          moved[axis] += offset;
-          return initial_displacement_.evaluate(moved, 0);
-        },
-        step);
-    for (int i = 0; i < dimension_; ++i)
-      strain[symmetric_index(dimension_, i, axis)] += (i == axis ? 1.0 : 0.5) * derivative[i];
-  }
-}
-
 std::int32_t PrescribedData::add_initial(const ElementDescriptor& element, int facet, std::vector<double>& prescribed) {
   const int num_strains = num_symmetric(dimension_), num_fields = dimension_ + num_strains, num_chi = dimension_ + 1;
   const std::size_t offset = prescribed.size();
   prescribed.resize(offset + num_fields * num_facet_modes_ + dimension_ * num_chi, 0.0);
-  if (initial_displacement_.is_zero() && initial_velocity_.is_zero()) return static_cast<std::int32_t>(offset);
+  if (initial_.is_zero()) return static_cast<std::int32_t>(offset);
   double* block = &prescribed[offset];
   const std::vector<int> corners = facet_corners(dimension_, facet);
   const double step = 4e-3 * facet_size(element, dimension_, corners) * scaling_.length;
@@ -135,18 +115,17 @@ std::int32_t PrescribedData::add_initial(const ElementDescriptor& element, int f
     double time;
     const Point point = to_si(
         combine(element, dimension_, corners, &facet_rule_.points[static_cast<std::size_t>(q) * dimension_], time));
-    Point velocity, displacement;
-    std::array<double, 6> strain;
-    initial_state(point, step, velocity, strain, displacement);
+    const InitialPoint state = initial_.inside(point, step);
     const double* psi = &facet_psi_[static_cast<std::size_t>(q) * num_facet_modes_];
     const double* chi = &facet_chi_[static_cast<std::size_t>(q) * num_chi];
     for (int m = 0; m < num_facet_modes_; ++m) {
-      for (int i = 0; i < dimension_; ++i) block[i * num_facet_modes_ + m] += psi[m] * velocity[i] / scaling_.speed;
-      for (int s = 0; s < num_strains; ++s) block[(dimension_ + s) * num_facet_modes_ + m] += psi[m] * strain[s];
+      for (int i = 0; i < dimension_; ++i)
+        block[i * num_facet_modes_ + m] += psi[m] * state.velocity[i] / scaling_.speed;
+      for (int s = 0; s < num_strains; ++s) block[(dimension_ + s) * num_facet_modes_ + m] += psi[m] * state.strain[s];
     }
     for (int i = 0; i < dimension_; ++i)
       for (int m = 0; m < num_chi; ++m)
-        block[num_fields * num_facet_modes_ + i * num_chi + m] += chi[m] * displacement[i] / scaling_.length;
+        block[num_fields * num_facet_modes_ + i * num_chi + m] += chi[m] * state.displacement[i] / scaling_.length;
   }
   return static_cast<std::int32_t>(offset);
 }
@@ -154,6 +133,7 @@ std::int32_t PrescribedData::add_initial(const ElementDescriptor& element, int f
 std::int32_t PrescribedData::add_boundary(const ElementDescriptor& element, int facet, int boundary,
                                           std::vector<double>& prescribed) {
   BoundaryCondition& condition = conditions_[boundary];
+  if (condition.is_absorbing()) return add_far_field(element, facet, condition, prescribed);
   if (condition.is_zero()) return none;
   const std::size_t offset = prescribed.size();
   prescribed.resize(offset + dimension_ * num_facet_modes_, 0.0);
@@ -178,6 +158,40 @@ std::int32_t PrescribedData::add_boundary(const ElementDescriptor& element, int 
     }
   }
   return static_cast<std::int32_t>(offset);
+}
+
+/// What a facet of a side has in common at all its points; the position is left open.
+SidePoint PrescribedData::side_point(const ElementDescriptor& element, int facet, const Point& normal) const {
+  const std::vector<int> corners = facet_corners(dimension_, facet);
+  double depth = 0;
+  for (int axis = 0; axis < dimension_; ++axis)
+    depth += normal[axis] * (element.corner[corners[0]][axis] - element.corner[facet][axis]);
+  return {{}, normal, depth * scaling_.length, facet_size(element, dimension_, corners) * scaling_.length};
+}
+
+std::int32_t PrescribedData::add_far_field(const ElementDescriptor& element, int facet, BoundaryCondition& condition,
+                                           std::vector<double>& prescribed) {
+  if (far_field_.is_zero(condition)) return none;
+  const std::size_t offset = prescribed.size();
+  prescribed.resize(offset + dimension_ * num_facet_modes_, 0.0);
+  double* block = &prescribed[offset];
+  const std::vector<int> corners = facet_corners(dimension_, facet);
+  SidePoint side = side_point(element, facet, outward_normal(element, dimension_, facet));
+  bool is_zero = true;
+  for (int q = 0; q < facet_rule_.num_points(); ++q) {
+    double time;
+    side.position = to_si(
+        combine(element, dimension_, corners, &facet_rule_.points[static_cast<std::size_t>(q) * dimension_], time));
+    const Point amplitude = far_field_.incoming_amplitude(condition, element.material, side, time * scaling_.time());
+    const double* psi = &facet_psi_[static_cast<std::size_t>(q) * num_facet_modes_];
+    for (int i = 0; i < dimension_; ++i) {
+      is_zero = is_zero && amplitude[i] == 0;
+      for (int m = 0; m < num_facet_modes_; ++m) block[i * num_facet_modes_ + m] += psi[m] * amplitude[i];
+    }
+  }
+  if (!is_zero) return static_cast<std::int32_t>(offset);
+  prescribed.resize(offset);
+  return none;
 }
 
 std::int32_t PrescribedData::add_body_force(const ElementDescriptor& element, std::vector<double>& prescribed) {

@@ -67,6 +67,11 @@ std::string load_checksum(BoundaryCondition condition, const Box& box, double en
     for (int axis = 0; axis < 4; ++axis) share[axis] = std::fmod(event * std::pow(root, -(axis + 1)), 1.0);
     std::array<double, 3> point;
     for (int axis = 0; axis < 3; ++axis) point[axis] = std::lerp(box.min[axis], box.max[axis], share[axis]);
+    if (condition.has_far_field()) try {
+        for (const double component : condition.far_field_velocity(point, share[3] * end_time)) checksum.add(component);
+      } catch (const InputError&) {
+        checksum.add(std::nan(""));
+      }
     for (const std::array<double, 3>& normal : {std::array{1.0, 0.0, 0.0}, std::array{0.0, 1.0, 0.0}}) try {
         for (const double component : condition.value(point, share[3] * end_time, normal)) checksum.add(component);
       } catch (const InputError&) {
@@ -150,6 +155,7 @@ void add_boundaries(const Simulation& simulation, SettingList& list) {
     }
     list.add(key + " (normal)", kind_text(condition.normal_kind()));
     list.add(key + " (tangential)", kind_text(condition.tangential_kind()));
+    if (condition.has_far_field()) list.add(key + " (far field)", "given");
     list.add(key + ".ramp", condition.ramp().rise_time);
     list.add(key + ".ramp_order", condition.ramp().order == RampOrder::cubic ? "cubic" : "quintic");
     if (!condition.is_zero())

@@ -1,11 +1,13 @@
 """Writes pictures of equal size one after the other as a film."""
 import shutil
 import subprocess
-import sys
 
 import numpy as np
 
 from .style import plt
+from .text import PlotError, printable
+
+MOST_FRAMES = 2000  # a film of 400 s
 
 
 def frame(figure):
@@ -33,16 +35,26 @@ def write_mp4(path, frames, seconds):
                        f"{pixels.shape[1]}x{pixels.shape[0]}", "-r", f"{1 / seconds:g}", "-i", "-", "-pix_fmt", "yuv420p",
                        str(path)]
             encoder = subprocess.Popen(command, stdin=subprocess.PIPE)
-        encoder.stdin.write(pixels.tobytes())
-    encoder.stdin.close()
+        try:
+            encoder.stdin.write(pixels.tobytes())
+        except BrokenPipeError:
+            break
+    try:
+        encoder.stdin.close()
+    except BrokenPipeError:
+        pass
     if encoder.wait() != 0:
-        sys.exit(f"{path}: ffmpeg could not write it; see its message above, or use --format gif")
+        raise PlotError(f"{printable(path)}: ffmpeg could not write it; see its message above, or use --format gif")
 
 
 def write_film(folder, kind, figures, seconds=0.2):
     """animation.gif or animation.mp4 from an iterable of figures, each shown for `seconds`."""
     if kind == "mp4" and not shutil.which("ffmpeg"):
-        sys.exit("--format mp4 needs the program ffmpeg, which is not installed; install it or use --format gif")
+        raise PlotError("--format mp4 needs the program ffmpeg, which is not installed; install it or use --format gif")
     path = folder / f"animation.{kind}"
-    {"gif": write_gif, "mp4": write_mp4}[kind](path, (frame(figure) for figure in figures), seconds)
-    print(path)
+    try:
+        {"gif": write_gif, "mp4": write_mp4}[kind](path, (frame(figure) for figure in figures), seconds)
+    except OSError as error:
+        raise PlotError(f"{printable(path)}: the film cannot be written ({error.strerror}); check the free space and the "
+                        "permissions of the folder") from error
+    print(printable(path), flush=True)

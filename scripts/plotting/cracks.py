@@ -4,6 +4,8 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
+from .text import PlotError, printable
+
 LINE = 3
 FAILED = 0.999  # damage from which a surface counts as failed
 
@@ -26,12 +28,19 @@ class Cracks:
 
 
 def read_cracks(path):
-    with h5py.File(path, "r") as file:
-        root = file["VTKHDF"]
-        is_line = root["Types"][:] == LINE
-        lines = root["Connectivity"][:].reshape(-1, 2) if is_line.any() else np.empty((0, 2), int)
-        return Cracks(root["Points"][:], root["PointData/damage"][:], root["PointData/opening"][:], lines,
-                      root["CellData/edge"][:])
+    try:
+        with h5py.File(path, "r") as file:
+            root = file["VTKHDF"]
+            is_line = root["Types"][:] == LINE
+            lines = root["Connectivity"][:].reshape(-1, 2) if is_line.any() else np.empty((0, 2), int)
+            damage = np.nan_to_num(root["PointData/damage"][:])
+            cracks = Cracks(root["Points"][:], damage, root["PointData/opening"][:], lines, root["CellData/edge"][:])
+            if not (lines.min(initial=0) >= 0 and lines.max(initial=-1) < len(cracks.points) == len(damage)):
+                raise ValueError("its arrays do not fit together")
+            return cracks
+    except (OSError, KeyError, ValueError, RuntimeError) as error:
+        raise PlotError(f"{printable(path)}: cannot be read as cracks ({printable(error)}); remove the file to draw without "
+                        "them") from error
 
 
 def crack_file(snapshot_path):

@@ -2,12 +2,14 @@
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from .style import plt, save, si_scale
+from .style import largest_size, plt, save, si_scale
 from .tables import read_table
+from .text import PlotError, note, printable
 
 # Column, label, colour; stacked from below.
 STACK = [("strain", "strain", "#8fb3d1"), ("kinetic", "kinetic", "#f0c987"), ("fracture", "fracture", "#c0392b"),
          ("friction", "friction", "#8e6bbf"), ("numerical", "numerical", "#7b858b")]
+COLUMNS = ["external_work", "crack_length", "damage_mean", "damage_max", "cells", "smallest_cell"]
 COUNTS = ["nucleations", "extensions", "branches", "coalescences", "fragments"]
 
 
@@ -36,19 +38,20 @@ def share_text(share):
 def draw_energies(axes, table, time, factor, unit):
     shown = [entry for entry in STACK if np.any(table[entry[0]] != 0)]
     total = supplied(table)
-    reference = np.max(np.abs(total)) or 1
+    reference = largest_size(total) or 1
     labels = [f"{label} ({share_text(table[name][-1] / reference)} at the end)" for name, label, _ in shown]
-    axes.stackplot(time, *[table[name] * factor for name, _, _ in shown], labels=labels,
-                   colors=[colour for _, _, colour in shown], edgecolor="white", linewidth=0.4)
+    if shown:  # nothing moves in a body at rest
+        axes.stackplot(time, *[table[name] * factor for name, _, _ in shown], labels=labels,
+                       colors=[colour for _, _, colour in shown], edgecolor="white", linewidth=0.4)
     axes.plot(time, total * factor, color="black", lw=1.2, ls=(0, (4, 2)), label="initial + external work")
     axes.set_ylabel(f"energy [{unit}]")
     axes.legend(*[part[::-1] for part in axes.get_legend_handles_labels()], loc="upper left", fontsize=8)
 
 
 def draw_balance(axes, table, time):
-    largest = max(np.max(np.abs(table[name])) for name in ("kinetic", "strain", "external_work"))
+    largest = max(largest_size(table[name]) for name in ("kinetic", "strain", "external_work"))
     error = (supplied(table) - accounted(table)) / largest if largest > 0 else 0 * time
-    scale, percent = (100, "%") if np.max(np.abs(error)) > 1e-5 else (1, "1")
+    scale, percent = (100, "%") if largest_size(error) > 1e-5 else (1, "1")
     axes.plot(time, error * scale, color="#5f6b73")
     axes.axhline(0, color="#b8bec2", lw=0.6)
     axes.set_ylabel(f"balance [{percent}]")
@@ -73,7 +76,7 @@ def draw_counts(axes, table, time):
     for name in COUNTS:
         if np.any(table[name] != 0):
             axes.step(time, table[name], where="post", label=name)
-    largest = max(np.max(table[name]) for name in COUNTS)
+    largest = max(largest_size(table[name]) for name in COUNTS)
     if largest > 50:
         axes.set_yscale("symlog", linthresh=10)
         axes.yaxis.set_major_formatter("{x:g}")
@@ -103,15 +106,21 @@ def optional_panels(table, dimension):
     panels = []
     if has_fracture(table):
         panels += [lambda *where: draw_cracks(*where, dimension), draw_counts]
-    if np.ptp(table["cells"]) > 0:
+    if np.nanmax(table["cells"], initial=0) > np.nanmin(table["cells"], initial=np.inf):
         panels.append(draw_cells)
     return panels
 
 
 def draw_history(folder, dimension, title):
-    table = read_table(folder / "history.csv")
+    path = folder / "history.csv"
+    table = read_table(path)
+    missing = [name for name in [name for name, _, _ in STACK] + COLUMNS + COUNTS if name not in table]
+    if missing:
+        raise PlotError(f"{printable(path)}: there is no column {missing[0]}, so it is no history of a run")
     time = table["time"] * 1e6
-    factor, unit = si_scale(max(np.max(np.abs(supplied(table))), np.max(accounted(table))), energy_unit(dimension))
+    if len(time) == 0:
+        return note("history.csv: there is no row yet")
+    factor, unit = si_scale(max(largest_size(supplied(table)), largest_size(accounted(table))), energy_unit(dimension))
     others = optional_panels(table, dimension)
     heights = [3, 1] + [1.8] * len(others)
     figure, panels = plt.subplots(len(heights), 1, figsize=(7, 1.2 * sum(heights)), sharex=True, constrained_layout=True,

@@ -37,7 +37,10 @@ def element_polylines(snapshot):
 
 
 def draw(snapshot, scales, options):
+    """The figure, or None where no field is there that can be drawn."""
     panels = [panel for panel in PANELS if panel[0] in scales]
+    if not panels:
+        return None
     factor, unit = si_scale(np.ptp(snapshot.points[:, 0]), "m")
     path = element_polylines(snapshot)
     x = np.where(path < 0, np.nan, snapshot.points[path, 0] * factor)

@@ -1,4 +1,4 @@
-"""D = 2: strain energy density in colour over the velocity as height, and seen from above, with the mesh and the cracks."""
+"""D = 2: a quantity in colour over the velocity as height, and seen from above, with the mesh and the cracks."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +8,7 @@ from matplotlib.colors import Normalize
 
 from .cracks import faces
 from .relief import View, paint, shade
+from .quantity import Quantity
 from .snapshot import element_edges, smooth_small_jumps
 from .style import (COLOUR_MAP, DAMAGE_MAP, DAMAGE_NORM, colour_limit, crack_style, line_colours, si_scale, stacked_axes,
                     time_text)
@@ -20,18 +21,23 @@ def height_values(snapshot, name):
 @dataclass
 class Scales:
     """What the pictures of one call have in common."""
-    energy: float               # upper end of the colours [J/m³]
+    quantity: Quantity
+    largest: float              # upper end of the colours, SI
     height: tuple               # smallest and largest height, 0 included [m/s]
     size: np.ndarray            # sides of the undeformed body [m]
     low: np.ndarray             # box of the drawn points [m]
     high: np.ndarray
     has_cracks: bool
 
-    def energy_unit(self):
-        return si_scale(self.energy, "J/m³")
+    def unit(self):
+        return si_scale(self.largest, self.quantity.unit)
 
-    def energy_norm(self):
-        return Normalize(0, self.energy * self.energy_unit()[0] if self.energy > 0 else 1)
+    def norm(self):
+        return Normalize(0, self.largest * self.unit()[0] if self.largest > 0 else 1)
+
+    def shown(self, snapshot):
+        """The values in this unit."""
+        return self.quantity.values(snapshot) * self.unit()[0]
 
     def length_unit(self):
         return si_scale(self.size, "m")
@@ -46,10 +52,10 @@ class Scales:
 
 
 def limits(snapshots, options):
-    energy, lowest, highest, has_cracks = 0, 0, 0, False
+    largest, lowest, highest, has_cracks = 0, 0, 0, False
     low, high = np.full(2, np.inf), np.full(2, -np.inf)
     for snapshot in snapshots:
-        energy = max(energy, colour_limit(snapshot.fields["strain_energy_density"]))
+        largest = max(largest, colour_limit(options.quantity.values(snapshot)))
         if options.height != "none":
             height = height_values(snapshot, options.height)
             lowest, highest = min(lowest, height.min()), max(highest, height.max())
@@ -57,7 +63,7 @@ def limits(snapshots, options):
         low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
         size = np.ptp(snapshot.points[:, :2], axis=0)
         has_cracks = has_cracks or bool(snapshot.cracks)
-    return Scales(energy, (lowest, highest), size, low, high, has_cracks)
+    return Scales(options.quantity, largest, (lowest, highest), size, low, high, has_cracks)
 
 
 def deformed(snapshot, scale):
@@ -101,20 +107,20 @@ def crack_lines(snapshot, points, edges, deformation):
 
 def draw_relief(axes, snapshot, scales, options):
     points = deformed(snapshot, options.deformation)
-    norm, lift, largest = scales.energy_norm(), scales.lift(), max(-scales.height[0], scales.height[1])
-    energy = snapshot.fields["strain_energy_density"] * scales.energy_unit()[0]
+    norm, lift, largest = scales.norm(), scales.lift(), max(-scales.height[0], scales.height[1])
+    values = scales.shown(snapshot)
     height = smooth_small_jumps(snapshot.points, height_values(snapshot, options.height), 0.2 * largest)
     space = np.column_stack([points, lift * height])
     triangles, edges = snapshot.simplices(), element_edges(snapshot.cells)
     polygons, lines = space[triangles], []
     if options.mesh:
-        colours, width = mesh_lines(COLOUR_MAP(norm(energy)), edges, 7)
+        colours, width = mesh_lines(COLOUR_MAP(norm(values)), edges, 7)
         lines.append((space[edges], colours, width))
     if snapshot.cracks:
         pairs, damage, _ = faces(snapshot.points[:, :2], edges, snapshot.cracks)
         lines.append((space[pairs], *crack_style(damage)))
     view = View()
-    paint(axes, view, [(polygons, shade(COLOUR_MAP(norm(energy[triangles].mean(axis=1))), polygons))], lines)
+    paint(axes, view, [(polygons, shade(COLOUR_MAP(norm(values[triangles].mean(axis=1))), polygons))], lines)
     frame_relief(axes, view, scales)
     return view
 
@@ -159,14 +165,14 @@ def annotate_relief(axes, view, scales, name):
 def draw_flat(axes, snapshot, scales, options, width_inches):
     """The body from above."""
     factor, unit = scales.length_unit()
-    norm = scales.energy_norm()
+    norm = scales.norm()
     points = deformed(snapshot, options.deformation)
     scaled, edges = points * factor, element_edges(snapshot.cells)
-    energy = snapshot.fields["strain_energy_density"] * scales.energy_unit()[0]
-    axes.tripcolor(scaled[:, 0], scaled[:, 1], snapshot.simplices(), energy, shading="gouraud", cmap=COLOUR_MAP, norm=norm,
+    values = scales.shown(snapshot)
+    axes.tripcolor(scaled[:, 0], scaled[:, 1], snapshot.simplices(), values, shading="gouraud", cmap=COLOUR_MAP, norm=norm,
                    rasterized=True)
     if options.mesh:
-        colours, width = mesh_lines(COLOUR_MAP(norm(energy)), edges, width_inches)
+        colours, width = mesh_lines(COLOUR_MAP(norm(values)), edges, width_inches)
         axes.add_collection(LineCollection(scaled[edges], colors=colours, linewidths=width))
     if snapshot.cracks:
         segments, damage = crack_lines(snapshot, points, edges, options.deformation)
@@ -181,8 +187,8 @@ def draw_flat(axes, snapshot, scales, options, width_inches):
 
 
 def add_colour_bars(figure, scales, panels=None, places=None):
-    """Colour bars of the energy and, with cracks, of the damage: beside `panels` or in the axes `places`."""
-    bars = [(ScalarMappable(scales.energy_norm(), COLOUR_MAP), "max", f"strain energy density [{scales.energy_unit()[1]}]")]
+    """Colour bars of the quantity and, with cracks, of the damage: beside `panels` or in the axes `places`."""
+    bars = [(ScalarMappable(scales.norm(), COLOUR_MAP), "max", f"{scales.quantity.label} [{scales.unit()[1]}]")]
     if scales.has_cracks:
         bars.append((ScalarMappable(DAMAGE_NORM, DAMAGE_MAP), "max", "damage (black: failed)"))
     for index, (colours, extend, label) in enumerate(bars):

@@ -3,7 +3,7 @@ import numpy as np
 
 from .plane import add_colour_bars, draw_flat
 from .snapshot import read_snapshot
-from .style import plt, time_text
+from .style import page_share, plt, time_text
 
 
 def choose(entries, number):
@@ -11,6 +11,12 @@ def choose(entries, number):
     if number >= len(entries):
         return entries
     return [entries[int(np.ceil((len(entries) - 1) * (index + 1) / number))] for index in range(number)]
+
+
+def panel_name(index):
+    """a, b, .., z, aa, ab, .."""
+    letters = "abcdefghijklmnopqrstuvwxyz"
+    return (panel_name(index // 26 - 1) if index >= 26 else "") + letters[index % 26]
 
 
 def page_columns(number, share):
@@ -24,7 +30,7 @@ def page_columns(number, share):
 
 def draw(entries, scales, options):
     """The page for files and times `entries`."""
-    share = scales.height_over_width()
+    share = page_share(scales.height_over_width())
     columns = page_columns(len(entries), share)
     rows = -(-len(entries) // columns)
     width = 7.2 / columns
@@ -37,7 +43,7 @@ def draw(entries, scales, options):
             continue
         snapshot = read_snapshot(entries[index][0])
         draw_flat(axes, snapshot, scales, options, width)
-        axes.set_title(f"({chr(ord('a') + index)})  {time_text(snapshot.time)}", fontsize=9)
+        axes.set_title(f"({panel_name(index)})  {time_text(snapshot.time)}", fontsize=9)
         axes.label_outer()
     note = f", displacement ×{options.deformation:g}" if options.deformation else ""
     figure.suptitle(f"{options.title.rstrip(', ')}{note}".lstrip(", "), fontsize=10)

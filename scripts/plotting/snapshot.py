@@ -7,13 +7,14 @@ import h5py
 import numpy as np
 
 from .cracks import Cracks, crack_file, read_cracks
+from .text import PlotError, note, printable
 
 SEGMENT, TRIANGLE, QUAD, TETRAHEDRON, WEDGE = 3, 5, 9, 10, 13
 # Edges, faces and simplices of the cell types, as corner numbers.
 EDGES = {SEGMENT: [(0, 1)], TRIANGLE: [(0, 1), (1, 2), (2, 0)], QUAD: [(0, 1), (1, 2), (2, 3), (3, 0)]}
 FACES = {TETRAHEDRON: [(0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)],
          WEDGE: [(0, 1, 2), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)]}
-SIMPLICES = {TRIANGLE: [(0, 1, 2)], QUAD: [(0, 1, 2), (0, 2, 3)], TETRAHEDRON: [(0, 1, 2, 3)],
+SIMPLICES = {SEGMENT: [(0, 1)], TRIANGLE: [(0, 1, 2)], QUAD: [(0, 1, 2), (0, 2, 3)], TETRAHEDRON: [(0, 1, 2, 3)],
              WEDGE: [(0, 2, 1, 4), (0, 2, 4, 5), (0, 5, 4, 3)]}
 NUM_CORNERS = {SEGMENT: 2, TRIANGLE: 3, QUAD: 4, TETRAHEDRON: 4, WEDGE: 6}
 
@@ -42,17 +43,44 @@ class Snapshot:
         return np.linalg.norm(self.fields["velocity"], axis=1)
 
 
+def finite(name, field, values):
+    """The values, with 0 for those that are not finite."""
+    good = np.isfinite(values)
+    if good.all():
+        return values
+    num_bad = np.size(good) - np.count_nonzero(good)
+    note(f"{printable(name)}: {num_bad} values of {printable(field)} are not finite and drawn as 0")
+    return np.where(good, values, 0)
+
+
+def read_cells(root, num_points):
+    """Cell type -> corners [n, num_corners]."""
+    types, offsets, connectivity = root["Types"][:], root["Offsets"][:], root["Connectivity"][:]
+    if len(connectivity) and not (connectivity.min() >= 0 and connectivity.max() < num_points):
+        raise ValueError("a cell has a corner that is no point")
+    cells = {}
+    for kind in np.unique(types):
+        first = offsets[:-1][types == kind]
+        cells[int(kind)] = connectivity[first[:, None] + np.arange(NUM_CORNERS[int(kind)])]
+    if not cells:
+        raise ValueError("there are no cells")
+    return cells
+
+
 def read_snapshot(path):
-    with h5py.File(path, "r") as file:
-        root = file["VTKHDF"]
-        types, offsets, connectivity = root["Types"][:], root["Offsets"][:], root["Connectivity"][:]
-        cells = {}
-        for kind in np.unique(types):
-            first = offsets[:-1][types == kind]
-            cells[int(kind)] = connectivity[first[:, None] + np.arange(NUM_CORNERS[int(kind)])]
-        fields = {name: array[:] for name, array in root["PointData"].items()}
-        snapshot = Snapshot(Path(path).stem, float(root["FieldData/time"][0]), root["Points"][:], cells, fields)
-    companion = crack_file(Path(path))
+    path = Path(path)
+    try:
+        with h5py.File(path, "r") as file:
+            root = file["VTKHDF"]
+            points = root["Points"][:]
+            fields = {name: finite(path.name, name, array[:]) for name, array in root["PointData"].items()}
+            snapshot = Snapshot(path.stem, float(root["FieldData/time"][0]), points, read_cells(root, len(points)), fields)
+            if any(len(values) != len(points) for values in fields.values()):
+                raise ValueError("a field has not one value for each point")
+    except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
+        raise PlotError(f"{printable(path)}: cannot be read as a snapshot ({printable(error)}); the file is missing, damaged or "
+                        "of another program") from error
+    companion = crack_file(path)
     if companion.exists():
         snapshot.cracks = read_cracks(companion)
     return snapshot
@@ -63,7 +91,10 @@ def series(folder):
     path = Path(folder) / "snapshot.vtkhdf.series"
     if not path.exists():
         return []
-    return [(Path(folder) / entry["name"], entry["time"]) for entry in json.loads(path.read_text())["files"]]
+    try:
+        return [(Path(folder) / entry["name"], float(entry["time"])) for entry in json.loads(path.read_text())["files"]]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise PlotError(f"{printable(path)}: cannot be read as a list of snapshots ({printable(error)})") from error
 
 
 def element_edges(cells):

@@ -6,9 +6,11 @@ from matplotlib.colors import Normalize
 
 from .line import component
 from .snapshot import SEGMENT, read_snapshot
-from .style import crack_style, plt, si_scale
+from .sequence import choose
+from .style import crack_style, largest_size, plt, si_scale
 
 PANELS = [("displacement", "u", "m"), ("stress", "σ$_{xx}$", "Pa")]
+MOST_BANDS = 500  # more are no wider than a pixel
 SIGNED = plt.get_cmap("RdBu_r")  # red: tension, motion to the right
 
 
@@ -28,7 +30,7 @@ def draw_field(axes, snapshots, bands, name, symbol, si_unit, length):
         below, above = np.full(len(left), low), np.full(len(left), high)
         outlines.append(np.stack([np.stack([left, right, right, left], 1), np.stack([below, below, above, above], 1)], -1))
     values = np.concatenate(values)
-    largest = np.max(np.abs(values)) or 1
+    largest = largest_size(values) or 1
     norm = Normalize(-largest, largest)
     colours = SIGNED(norm(values))
     axes.add_collection(PolyCollection(np.concatenate(outlines), facecolors=colours, edgecolors=colours, linewidths=0.15,
@@ -46,7 +48,7 @@ def draw_crack_points(axes, snapshots, bands, length):
 
 
 def draw(entries, options):
-    snapshots = [read_snapshot(path) for path, _ in entries]
+    snapshots = [read_snapshot(path) for path, _ in choose(entries, MOST_BANDS)]
     panels = [panel for panel in PANELS if panel[0] in snapshots[0].fields]
     if not panels:
         return None

@@ -1,9 +1,15 @@
 """One look for all pictures: fonts, colours, and SI prefixes for the axes."""
+import warnings
+
 import matplotlib
 import numpy as np
 
+from .text import PlotError, printable
+
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
+
+warnings.filterwarnings("ignore", message="Glyph .* missing from current font")  # a title in any script
 
 # Without the black end, so that mesh lines and text stay readable on the largest values.
 COLOUR_MAP = matplotlib.colors.ListedColormap(plt.get_cmap("magma_r")(np.linspace(0, 0.86, 256)))
@@ -23,9 +29,15 @@ plt.rcParams.update({
 PREFIXES = [(1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p")]
 
 
+def largest_size(values):
+    """Largest absolute value of those that are finite; 0 where there is none."""
+    sizes = np.abs(np.asarray(values, dtype=float))
+    return float(np.max(sizes[np.isfinite(sizes)], initial=0))
+
+
 def si_scale(values, unit):
     """Factor and label, such as (1e-6, "MPa"), that bring the largest of the values between 1 and 1000."""
-    largest = np.nanmax(np.abs(values)) if np.size(values) else 0
+    largest = largest_size(values)
     if not largest > 0:
         return 1.0, unit
     for size, prefix in PREFIXES:
@@ -52,11 +64,17 @@ def crack_style(damage, width_inches=7):
     return DAMAGE_MAP(DAMAGE_NORM(damage)), (0.5 + 1.1 * damage) * np.clip(width_inches / 5, 0.5, 1)
 
 
+def page_share(height_over_width):
+    """The share of the width that a panel is high: a body that is very slim or flat gets a panel that is not."""
+    return float(np.clip(height_over_width, 0.02, 4))
+
+
 def stacked_axes(upper, lower, num_bars=1):
     """A figure with two panels of the same width (one for upper = 0) and places for colour bars, one above the other.
 
     Heights are shares of that width. Returns the figure, the upper panel or None, the lower one, the list of the bars.
     """
+    upper, lower = page_share(upper) if upper else 0, page_share(lower)
     width, gap, margin = 6.2, 0.45 if upper else 0, 0.6
     content = max(width * (upper + lower) + gap, 1.6 * num_bars)
     total = content + 2 * margin
@@ -80,6 +98,15 @@ def time_text(seconds):
 
 
 def save(figure, path):
-    figure.savefig(path, bbox_inches="tight", facecolor="white")
-    plt.close(figure)
-    print(path)
+    """A picture under its final name is complete."""
+    partial = path.with_name(f".{path.name}.partial")
+    try:
+        figure.savefig(partial, format="png", bbox_inches="tight", facecolor="white")
+        partial.replace(path)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise PlotError(f"{printable(path)}: the picture cannot be written ({error.strerror}); check the free space and the "
+                        "permissions of the folder") from error
+    finally:
+        plt.close(figure)
+    print(printable(path), flush=True)

@@ -82,9 +82,21 @@ TEST(BoundaryCondition, AbsorbingIsZeroAndPeriodicHasAPartner) {
   EXPECT_EQ(absorbing.normal_kind(), BoundaryKind::absorbing);
   EXPECT_EQ(absorbing.tangential_kind(), BoundaryKind::absorbing);
   EXPECT_TRUE(absorbing.is_zero());
+  EXPECT_TRUE(absorbing.is_absorbing());
+  EXPECT_FALSE(absorbing.has_far_field());
   EXPECT_FALSE(absorbing.is_periodic());
   expect_near(absorbing.value({1, 2, 3}, 4, {1, 0, 0}), {0, 0, 0});
   EXPECT_EQ(BoundaryCondition::periodic("right").periodic_partner(), "right");
+}
+
+TEST(BoundaryCondition, FarFieldHasVelocityAndTraction) {
+  BoundaryCondition condition = BoundaryCondition::absorbing(VectorExpression({expression("x"), expression("0")}),
+                                                             VectorExpression({expression("0"), expression("3*t")}));
+  EXPECT_TRUE(condition.is_absorbing());
+  EXPECT_TRUE(condition.has_far_field());
+  EXPECT_FALSE(condition.is_zero());
+  expect_near(condition.far_field_velocity({2, 0, 0}, 5), {2, 0, 0});
+  expect_near(condition.value({2, 0, 0}, 5, {1, 0, 0}), {0, 15, 0});
 }
 
 TEST(BoundaryCondition, IsZeroOnlyIfNothingIsPrescribed) {

@@ -127,6 +127,19 @@ TEST(ReadCase, ThreeDimensionsHaveEveryKindOfCondition) {
   EXPECT_EQ(box.batch_size, 64);
 }
 
+TEST(ReadCase, FarFieldOfAnAbsorbingSideIsTheInitialStateUnlessGiven) {
+  const std::string file = valid + "three_dimensions.toml";
+  EXPECT_FALSE(read_case(file).boundaries.at("right").has_far_field());
+  BoundaryCondition right =
+      read_case(file, {"boundary.right.far_field_velocity=['y', '0', '2*t']"}).boundaries.at("right");
+  EXPECT_TRUE(right.has_far_field());
+  EXPECT_EQ(right.far_field_velocity({1, 3, 0}, 4), (std::array<double, 3>{3, 0, 8}));
+  EXPECT_EQ(right.value({1, 3, 0}, 4, {1, 0, 0}), (std::array<double, 3>{0, 0, 0}));
+  right = read_case(file, {"boundary.right.far_field_traction=['0', '0', '0']"}).boundaries.at("right");
+  EXPECT_TRUE(right.has_far_field());
+  EXPECT_TRUE(right.is_zero());
+}
+
 TEST(ReadCase, PeriodicSideStandsForItsPartner) {
   const Case square = read_case(valid + "periodic.toml");
   EXPECT_EQ(square.boundaries.size(), 4u);
