@@ -8,6 +8,7 @@ endif()
 
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/common/* ${ROOT}/kernels/* ${ROOT}/device/* ${ROOT}/host/*)
 list(FILTER sources INCLUDE REGEX "\\.(cpp|hpp|cmake|txt)$")
+list(FILTER sources EXCLUDE REGEX "^host/(command_line|many_core)/")
 list(SORT sources)
 set(digests "")
 foreach(source IN LISTS sources)
