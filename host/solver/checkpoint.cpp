@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <sstream>
 
 #include <fcntl.h>
@@ -25,6 +26,8 @@ template <class Step>
 void in_section(const char* name, const Step& step) {
   try {
     step();
+  } catch (const std::bad_alloc&) {
+    throw;  // the file may be as sound as large
   } catch (const std::exception& error) {
     throw std::runtime_error(std::string("section \"") + name + "\", " + error.what());
   }
@@ -157,6 +160,8 @@ void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMa
     restore(books.ledger, contents.ledger, "ledger");
     restore(books.recorder, contents.recorder, "recorder");
     restore(books.history, contents.history, "history");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw InputError(file.string() + ": cannot be resumed: " + error.what());
   }
