@@ -12,6 +12,7 @@
 #include "host/mesh/mesh_error.hpp"
 #include "host/mesh/printable.hpp"
 #include "host/output/machine_info.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -50,7 +51,10 @@ void add_run(CLI::App& app, RunCommand& command) {
   add_case_options(*run, command.input);
   run->add_option("--out", command.out, "result folder (default: result_CASE); an older one is moved to DIR.1")
       ->type_name("DIR");
-  run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  CLI::Option* resume =
+      run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  run->add_flag("--force", command.force, "resume also from a checkpoint that another build of the program wrote")
+      ->needs(resume);
   run->add_flag("--offload", command.offload, "solve on an OpenMP device: a GPU, or else the virtual device");
   add_device_option(*run, command.device, "the device with this number in `tentpole devices`; implies --offload");
   run->add_flag("--check", command.check, "verify the energy balance of every patch");
@@ -180,8 +184,8 @@ int run_command_line(int argc, char** argv) {
   } catch (const MeshError& error) {
     std::cerr << printable_lines(error.what()) << "\n";
     return bad_input;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory. `tentpole check` says what a case needs; give fewer cells or a lower degree.\n";
+  } catch (const std::bad_alloc& error) {
+    std::cerr << out_of_memory_text(error) << "\n";
     return failed;
   } catch (const std::exception& error) {
     std::cerr << "the run failed: " << printable_lines(error.what()) << "\n";

@@ -78,6 +78,8 @@ int run_command(const RunCommand& command) {
   options.threads = threads.threads;
   options.check = command.check;
   options.resume = command.resume;
+  options.any_build = command.force;
+  options.note = [](const std::string& text) { std::cerr << "note: " << printable_lines(text) << "\n"; };
   const PreparedFolder folder = ready_folder(command);
   options.folder = folder.path;
   options.require_folder = [&] { folder.lock.require(); };

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -77,7 +78,7 @@ void CsvFile::save(std::ostream& stream) const {
 }
 
 void CsvFile::load(std::istream& stream) {
-  num_bytes_ = read_value<std::int64_t>(stream);
+  num_bytes_ = read_number(stream, std::numeric_limits<std::int64_t>::max(), "the length of a table");
 }
 
 void CsvFile::add_written(WrittenFiles& files) const {

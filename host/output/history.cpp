@@ -32,11 +32,16 @@ struct FlowSums {
     fracture += other.fracture;
     friction += other.friction;
   }
+  bool is_sound() const {
+    return external_work.is_sound() && numerical.is_sound() && fracture.is_sound() && friction.is_sound();
+  }
 };
 
 struct SurfaceSums {
   ExactSum length, failed, damage;  ///< measures; of what has failed; times mean damage
   double damage_max = 0;
+
+  bool is_sound() const { return length.is_sound() && failed.is_sound() && damage.is_sound(); }
 };
 
 using EventCounts = std::array<std::int64_t, 4>;
@@ -47,6 +52,10 @@ struct Row {
   EventCounts events{};  ///< since the row before
   FlowSums partial;      ///< shares of flows that this row cuts
   FlowSums complete;     ///< flows that are complete at this row and not at the row before
+
+  bool is_sound() const {
+    return kinetic.is_sound() && strain.is_sound() && surfaces.is_sound() && partial.is_sound() && complete.is_sound();
+  }
 };
 
 }  // namespace
@@ -169,7 +178,7 @@ void History::save(std::ostream& stream) const {
 
 void History::load(std::istream& stream) {
   impl_->file.load(stream);
-  impl_->num_written = read_value<int>(stream);
+  impl_->num_written = read_number(stream, static_cast<int>(impl_->rows.size()), "the number of written rows");
   impl_->passed = read_value<FlowSums>(stream);
   impl_->events = read_value<EventCounts>(stream);
   std::vector<Row> rows = read_vector<Row>(stream);
