@@ -32,7 +32,6 @@ CrackSeries::CrackSeries(Options options) : options_(std::move(options)), segmen
   if (options_.dimension != 1 && options_.dimension != 2)
     throw std::invalid_argument("cracks are written in one and two dimensions, not in " +
                                 std::to_string(options_.dimension));
-  std::filesystem::create_directories(options_.folder);
 }
 
 void CrackSeries::add(int index, const CrackSegment& segment) {

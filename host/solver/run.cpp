@@ -6,6 +6,9 @@
 #include "host/adaptive/adaptive_march.hpp"
 #include "host/output/file_identity.hpp"
 #include "host/output/output_times.hpp"
+#include "host/solver/check_expressions.hpp"
+#include "host/solver/check_probes.hpp"
+#include "host/solver/check_workload.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/fixed_march.hpp"
@@ -75,12 +78,22 @@ std::string other_build_warning(const RunBooks& books) {
          "): the result may differ in some bits from that of an uninterrupted run.";
 }
 
+const Simulation& checked(const Simulation& simulation) {
+  check_workload(simulation);
+  check_probes(simulation);
+  check_expressions(simulation);
+  return simulation;
+}
+
 /// Everything that a run owns; the parts refer to each other.
 class Run {
  public:
+  /// All tests come first, then what takes memory; nothing is read or written before open_folder().
   Run(const Simulation& simulation, const RunOptions& options);
   Run(const Run&) = delete;
 
+  /// Prepares the folder, and goes back to the checkpoint where the run is resumed. Call once, before advance().
+  void open_folder();
   /// Advances to the end; false if interrupted. Then, at the case's interval, and when it throws, writes a checkpoint.
   bool advance();
   /// Call once, after advance().
@@ -115,16 +128,22 @@ class Run {
 };
 
 Run::Run(const Simulation& simulation, const RunOptions& options)
-    : simulation_(simulation),
+    : simulation_(checked(simulation)),
       options_(options),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
       recorder_(recorder_options(simulation, options)),
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
-      march_(make_march(books_, options.folder)) {
-  if (options.resume) load_checkpoint(*options.resume, books_, *march_, options.any_build);
-  if (books_.builds.size() > 1) options.note(other_build_warning(books_));
+      march_(make_march(books_, options.folder)) {}
+
+void Run::open_folder() {
+  if (options_.prepare_folder)
+    options_.prepare_folder();
+  else
+    std::filesystem::create_directories(options_.folder);
+  if (options_.resume) load_checkpoint(*options_.resume, books_, *march_, options_.any_build);
+  if (books_.builds.size() > 1) options_.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);
 }
 
@@ -233,8 +252,13 @@ RunSummary Run::summary() {
 
 }  // namespace
 
+void prepare_run(const Simulation& simulation, const RunOptions& options) {
+  const Run run(simulation, options);
+}
+
 RunResult run_simulation(const Simulation& simulation, const RunOptions& options) {
   Run run(simulation, options);
+  run.open_folder();
   RunResult result;
   result.interrupted = !run.advance();
   result.summary = run.summary();

@@ -21,8 +21,11 @@ struct Progress {
 
 struct RunOptions {
   Device device = host_device();
-  int threads = 0;                              ///< 0: all of the device's
-  std::filesystem::path folder;                 ///< result folder, exists
+  int threads = 0;               ///< 0: all of the device's
+  std::filesystem::path folder;  ///< result folder
+  /// Called once, when the run has passed all tests and before anything is read from the folder or written to it;
+  /// `folder` must exist then. Unless given: creates it.
+  std::function<void()> prepare_folder;
   bool check = false;                           ///< energy balance of every patch
   std::optional<std::filesystem::path> resume;  ///< checkpoint to go on from
   bool any_build = false;                       ///< also from one that another build of the program wrote
@@ -38,6 +41,11 @@ struct RunResult {
   bool interrupted = false;          ///< a checkpoint was written instead of a summary file
   std::filesystem::path checkpoint;  ///< folder / "checkpoint.h5" if interrupted, else empty
 };
+
+/// Does what run_simulation does before its first patch, with all its tests, writes nothing and forgets it: whatever
+/// this throws, run_simulation throws as well, and before it has written anything. Takes the memory of a run at its
+/// start.
+void prepare_run(const Simulation& simulation, const RunOptions& options);
 
 /// Solves a simulation and writes its result folder: snapshots, probes, history, and summary.json at the end. When
 /// interrupted, at the case's checkpoint interval, and when a patch cannot be solved, checkpoint.h5 is written there,
