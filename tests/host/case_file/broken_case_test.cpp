@@ -99,8 +99,8 @@ std::string refusal(const std::string& path, const std::vector<std::string>& ove
 }
 
 std::string refusal_of_text(const std::string& text) {
-  const TemporaryFolder folder;
-  const std::string message = refusal(folder.write("broken.toml", text));
+  const TemporaryFolder temporary;
+  const std::string message = refusal(temporary.write("broken.toml", text));
   const auto name = message.find(".toml");
   return name == std::string::npos ? message : message.substr(name);
 }

@@ -78,16 +78,16 @@ class Interruption(ProgramTest):
         (self.folder / "r/checkpoint.h5").write_bytes(b"noise")
         self.assertIn("r/checkpoint.h5", self.refused("run", "wave.toml", "--quiet", "--resume", "r/checkpoint.h5", *LONG))
 
-    def start_long_batch(self):
+    def start_long_batch(self, cells):
         """The first batch of all the patches of a flat front of this size takes seconds."""
-        process = self.start("--set", "domain.cells=[200000]", "--set", "run.batch_size=1000000",
+        process = self.start("--set", f"domain.cells=[{cells}]", "--set", "run.batch_size=1000000",
                              "--set", "discretization.degree=6", "--threads", "1")
         self.wait_for(".lock")
         time.sleep(1.0)
         return process
 
     def test_further_signals_of_a_batch_system_do_not_cost_the_checkpoint(self):
-        process = self.start_long_batch()
+        process = self.start_long_batch(60000)
         for number in (signal.SIGUSR1, signal.SIGTERM, signal.SIGXCPU, signal.SIGXCPU, signal.SIGHUP, signal.SIGTERM):
             process.send_signal(number)
             time.sleep(0.05)
@@ -123,7 +123,7 @@ class Interruption(ProgramTest):
             self.assertRegex(result.stderr, r"^(note: .*\n)?the run failed: .*r/.*\n$")
 
     def test_second_interrupt_quits_at_once(self):
-        process = self.start_long_batch()
+        process = self.start_long_batch(200000)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.stderr.readline(), "\n")
         self.assertIn("a second Ctrl-C quits at once", process.stderr.readline())
