@@ -110,13 +110,13 @@ void AdaptiveMarch::fill(RunSummary& summary) {
   summary.counts.cells_max = counts.cells_max;
   summary.counts.smallest_cell = state_.edges.shortest * state_.books.simulation.scaling.length;
   summary.counts.largest_cell = state_.edges.longest * state_.books.simulation.scaling.length;
-  const FrontState front = front_state(state_);
+  const SurfaceState surfaces = surface_state(state_);
   summary.fracture.nucleations = counts.nucleations;
   summary.fracture.extensions = counts.extensions;
   summary.fracture.branches = counts.branches;
   summary.fracture.coalescences = counts.coalescences;
-  summary.fracture.crack_length = front.crack_length;
-  summary.fracture.surface_length = front.surface_length;
+  summary.fracture.crack_length = surfaces.crack_length;
+  summary.fracture.surface_length = surfaces.surface_length;
   if (counts.nucleations > 0) {
     const Scaling& scaling = state_.books.simulation.scaling;
     RunSummary::FirstNucleation first{.time = state_.first_nucleation.time * scaling.time()};
@@ -124,8 +124,8 @@ void AdaptiveMarch::fill(RunSummary& summary) {
       first.position[i] = state_.first_nucleation.position[i] * scaling.length;
     summary.fracture.first_nucleation = first;
   }
-  summary.fracture.damage_mean = front.damage_mean;
-  summary.fracture.damage_max = front.damage_max;
+  summary.fracture.damage_mean = surfaces.damage_mean;
+  summary.fracture.damage_max = surfaces.damage_max;
   if (state_.has_fracture()) summary.fracture.fragments = fragments_in_motion(state_);
   if (counts.refused > 0)
     summary.warnings.push_back(

@@ -85,6 +85,13 @@ struct AdaptiveState {
   bool has_refinement() const { return books.simulation.settings.adaptivity.enabled; }
   bool has_fracture() const { return books.simulation.settings.fracture.enabled; }
 
+  /// Counts what happens to cracks at a vertex, at the time of the front there.
+  void count(CrackEvent event, std::int32_t vertex) {
+    std::int64_t* const counter[] = {&counts.nucleations, &counts.extensions, &counts.branches, &counts.coalescences};
+    ++*counter[static_cast<int>(event)];
+    books.history.add_event(event, books.simulation.time_in_seconds(front.mesh().time(vertex)));
+  }
+
   /// Takes note of a new cell.
   void measure(std::int32_t cell) {
     const FrontSimplex simplex = front.mesh().simplex(cell);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/adaptive/front_report.hpp"
+#include "host/adaptive/record_cracks.hpp"
 #include "host/output/time_coverage.hpp"
 
 namespace tentpole {
@@ -21,12 +22,14 @@ void book_round(AdaptiveLoop& loop, const AdaptiveRound& round, const std::vecto
                 double earlier_time, const AdvanceOptions& options) {
   AdaptiveState& state = loop.state;
   ScopedStage stage(state.books.timer, Stage::output);
-  for (std::size_t number = 0; number < round.batches.size(); ++number)
+  for (std::size_t number = 0; number < round.batches.size(); ++number) {
     state.books.ledger.commit(round.batches[number], options.check, accepted[number]);
+    record_cracks(state.books, round.batches[number], accepted[number], loop.cracks);
+  }
   const double time = state.books.simulation.time_in_seconds(state.front.minimum_time());
   state.books.recorder.finish(time);
   if (history_is_due(state, earlier_time, time)) state.books.history.finish(time, front_state(state));
-  if (state.has_fracture() && loop.cracks.wants(time)) loop.cracks.finish(time, crack_segments(state));
+  if (state.has_fracture()) loop.cracks.finish(time);
 }
 
 }  // namespace

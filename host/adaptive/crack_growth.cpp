@@ -115,7 +115,7 @@ CrackGrower::Outcome CrackGrower::add_edge(CrackGrowth& growth) {
   growth.remaining -= distance(mesh().position(growth.vertex), mesh().position(end));
   growth.vertex = end;
   if (!joins) return Outcome::made;
-  ++state_.counts.coalescences;
+  state_.count(CrackEvent::coalescence, end);
   return Outcome::ended;
 }
 

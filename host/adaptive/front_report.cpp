@@ -73,22 +73,6 @@ Point mean_velocity(const AdaptiveState& state, const ReferenceTablesView& table
 FrontState front_state(const AdaptiveState& state) {
   const FrontMesh& mesh = state.front.mesh();
   FrontState result;
-  double length = 0, weighted = 0;
-  for (int edge = 0; edge < state.front.cracks().size(); ++edge) {
-    if (state.front.cracks().is_retired(edge)) continue;
-    const CrackEdgeState& crack = state.crack_state[edge];
-    const double measure = edge_length(state, edge);
-    length += measure;
-    weighted += measure * mean_damage(crack);
-    result.crack_length += measure * failed_fraction(crack);
-    result.damage_max = std::max(result.damage_max, largest_damage(crack));
-  }
-  result.surface_length = length;
-  result.damage_mean = length > 0 ? weighted / length : 0;
-  result.nucleations = state.counts.nucleations;
-  result.extensions = state.counts.extensions;
-  result.branches = state.counts.branches;
-  result.coalescences = state.counts.coalescences;
   result.cells = mesh.num_cells();
   const CellList list = cells_in_use(mesh);
   double smallest = std::numeric_limits<double>::infinity();
@@ -100,34 +84,27 @@ FrontState front_state(const AdaptiveState& state) {
   }
   result.smallest_cell = smallest * state.books.simulation.scaling.length;
   result.fragments = 1;
-  if (length > 0) {
+  if (state.front.cracks().size() > 0) {
     const std::vector<CellContent> contents(list.cells.size());
     result.fragments = static_cast<std::int64_t>(find_fragments(contents, connections(state, list)).fragments.size());
   }
   return result;
 }
 
-std::vector<CrackSegment> crack_segments(const AdaptiveState& state) {
-  const double unit = state.books.simulation.scaling.length;
-  std::vector<CrackSegment> segments;
+SurfaceState surface_state(const AdaptiveState& state) {
+  SurfaceState result;
+  double weighted = 0;
   for (int edge = 0; edge < state.front.cracks().size(); ++edge) {
     if (state.front.cracks().is_retired(edge)) continue;
-    CrackSegment segment;
-    for (int end = 0; end < 2; ++end) {
-      const Point& position = state.front.mesh().position(state.front.cracks().edge(edge)[end]);
-      for (int axis = 0; axis < state.front.mesh().dimension(); ++axis) segment.end[end][axis] = position[axis] * unit;
-    }
     const CrackEdgeState& crack = state.crack_state[edge];
-    segment.id = edge;
-    segment.mode = state.crack_mode[edge];
-    segment.num_points = crack.num_points;
-    for (int point = 0; point < crack.num_points; ++point) {
-      segment.damage[point] = crack.damage[point];
-      segment.opening[point] = crack.gap[point] * unit;
-    }
-    segments.push_back(segment);
+    const double measure = edge_length(state, edge);
+    result.surface_length += measure;
+    weighted += measure * mean_damage(crack);
+    result.crack_length += measure * failed_fraction(crack);
+    result.damage_max = std::max(result.damage_max, largest_damage(crack));
   }
-  return segments;
+  result.damage_mean = result.surface_length > 0 ? weighted / result.surface_length : 0;
+  return result;
 }
 
 std::vector<RunSummary::Fragment> fragments_in_motion(AdaptiveState& state) {

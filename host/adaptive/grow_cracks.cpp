@@ -69,7 +69,8 @@ class TriggerFollower {
   }
 
   void count_nucleation(const DefectTrigger& trigger, std::int32_t vertex) {
-    if (state_.counts.nucleations++ == 0) state_.first_nucleation = {mesh().time(vertex), trigger.position};
+    if (state_.counts.nucleations == 0) state_.first_nucleation = {mesh().time(vertex), trigger.position};
+    state_.count(CrackEvent::nucleation, vertex);
   }
 
   bool nucleate_vertex(const DefectTrigger& trigger, std::int32_t cell) {
@@ -97,9 +98,9 @@ class TriggerFollower {
   }
 
   /// Whether the trigger is done with: its surface has begun, or there can be none.
-  bool start(const CrackGrowth& growth, std::int64_t& count) {
+  bool start(const CrackGrowth& growth, CrackEvent event) {
     const CrackGrower::Start outcome = grower_.start(growth);
-    if (outcome == CrackGrower::Start::begun) ++count;
+    if (outcome == CrackGrower::Start::begun) state_.count(event, growth.vertex);
     return outcome != CrackGrower::Start::must_wait;
   }
 
@@ -118,7 +119,7 @@ class TriggerFollower {
         best = cosine < 0 ? opposite(way) : way;
       }
     }
-    return start({tip, best, state_.limits.growth_length}, state_.counts.extensions);
+    return start({tip, best, state_.limits.growth_length}, CrackEvent::extension);
   }
 
   /// Leaves the middle of a crack where the direction differs enough from all edges there. A surface nearly along the
@@ -142,7 +143,7 @@ class TriggerFollower {
         }
       }
     if (smallest > branch_cosine) return true;
-    return start({vertex, best, state_.limits.growth_length}, state_.counts.branches);
+    return start({vertex, best, state_.limits.growth_length}, CrackEvent::branch);
   }
 
   bool nucleate(const DefectTrigger& trigger, std::int32_t vertex) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "host/case_file/number_text.hpp"
+#include "host/case_file/toml_text.hpp"
 #include "host/mesh/toml_name.hpp"
 
 // toml++ 3.3.0 takes for granted that a key follows "[", so "[#" is undefined behaviour in an optimised build
@@ -114,9 +114,10 @@ Node convert(const toml::node& source, std::string name, SourceLocation location
 /// The value of an override: TOML if it reads as one value, else the text itself.
 Node override_value(const std::string& text, const std::string& name, const std::string& key) {
   const SourceLocation location{"--set", 0, 0, key, ""};
-  if (text.find('\n') == std::string::npos) {
+  const std::string line = "value = " + text;
+  if (text.find('\n') == std::string::npos && !find_toml_text_fault(line)) {
     try {
-      const toml::table table = toml::parse("value = " + text);
+      const toml::table table = toml::parse(line);
       if (table.size() == 1 && table.contains("value")) return convert(*table.get("value"), name, location);
     } catch (const toml::parse_error&) {
       // not TOML: an expression such as 2*V, taken as a string
@@ -168,8 +169,10 @@ std::vector<std::string> split_key(const std::string& key) {
   if (key.find('"') == std::string::npos) {
     std::istringstream path(key);
     for (std::string name; std::getline(path, name, '.');) names.push_back(name);
-    return !key.empty() && key.back() != '.' && std::ranges::count(names, "") == 0 ? names : std::vector<std::string>{};
+    const bool is_key = !key.empty() && key.back() != '.' && std::ranges::count(names, "") == 0;
+    return is_key && names.size() <= deepest_toml_nesting ? names : std::vector<std::string>{};
   }
+  if (find_toml_text_fault(key)) return names;
   try {
     const toml::table parsed = toml::parse(key + " = 0");
     for (const toml::table* table = &parsed; table && table->size() == 1; table = table->begin()->second.as_table())
@@ -206,6 +209,24 @@ void apply_override(Node& root, const std::string& text, std::vector<Problem>& p
   *node = override_value(text.substr(equals + 1), names.back(), key);
 }
 
+/// The whole file; throws if there is no text in it or too much.
+std::string read_text(const SourceLocation& file, const std::filesystem::path& path, std::vector<Problem>& problems) {
+  std::error_code ignored;  // what is wrong with the path is all one here
+  std::string text;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream && std::filesystem::is_regular_file(path, ignored)) {
+    text.resize(largest_toml_file + 1);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+  }
+  if (text.empty()) problems.push_back({file, "is not a readable file with text in it. Give the path of a TOML file."});
+  if (text.size() > largest_toml_file)
+    problems.push_back({file, "has more than " + std::to_string(largest_toml_file / 1'000'000) +
+                                  " MB, so it is no case. Give the path of a TOML file."});
+  if (!problems.empty()) throw InputError(problems);
+  return text;
+}
+
 }  // namespace
 
 const Node* Node::find(const std::string& key) const {
@@ -237,13 +258,9 @@ const char* kind_name(Node::Kind kind) {
 Node read_document(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                    std::vector<Problem>& problems) {
   const SourceLocation file{path.string(), 0, 0, "", ""};
-  std::error_code ignored;  // what is wrong with the path is all one here
-  std::string text;
-  std::ifstream stream(path, std::ios::binary);
-  if (stream && std::filesystem::is_regular_file(path, ignored))
-    text.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream || text.empty()) {
-    problems.push_back({file, "is not a readable file with text in it. Give the path of a TOML file."});
+  const std::string text = read_text(file, path, problems);
+  if (const auto fault = find_toml_text_fault(text)) {
+    problems.push_back({{file.file, fault->line, fault->column, "", ""}, "this is not TOML: " + fault->reason});
     throw InputError(problems);
   }
   try {

@@ -1,5 +1,7 @@
 #include "host/case_file/input_error.hpp"
 
+#include "host/mesh/printable.hpp"
+
 namespace tentpole {
 namespace {
 
@@ -12,12 +14,13 @@ std::string join(const std::vector<Problem>& problems) {
 }  // namespace
 
 std::string to_string(const SourceLocation& location) {
-  if (location.is_override()) return "--set " + location.key + (location.value.empty() ? "" : "=" + location.value);
-  std::string text = location.file;
+  const std::string value = printable(location.value);
+  if (location.is_override()) return "--set " + printable(location.key) + (value.empty() ? "" : "=" + value);
+  std::string text = printable(location.file);
   if (location.line > 0) text += ":" + std::to_string(location.line);
   if (location.column > 0) text += ":" + std::to_string(location.column);
-  if (!location.key.empty()) text += (text.empty() ? "" : ": ") + location.key;
-  if (!location.value.empty()) text += " = " + location.value;
+  if (!location.key.empty()) text += (text.empty() ? "" : ": ") + printable(location.key);
+  if (!value.empty()) text += " = " + value;
   return text;
 }
 

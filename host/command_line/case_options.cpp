@@ -7,6 +7,8 @@
 #include <dlfcn.h>
 #include <omp.h>
 
+#include "host/mesh/printable.hpp"
+
 namespace tentpole {
 namespace {
 
@@ -24,7 +26,7 @@ Simulation read_simulation(const CaseOptions& options) {
   Case settings = read_case(options.case_file, options.overrides);
   if (options.seed) set_seed(settings, *options.seed);
   Simulation simulation = make_simulation(std::move(settings));
-  for (const std::string& warning : simulation.warnings) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : simulation.warnings) std::cerr << "warning: " << printable(warning) << "\n";
   return simulation;
 }
 

@@ -6,6 +6,7 @@
 #include "host/command_line/run_report.hpp"
 #include "host/command_line/tent_estimate.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/mesh/printable.hpp"
 #include "kernels/patch_solver.hpp"
 
 namespace tentpole {
@@ -97,7 +98,7 @@ int check_command(const CaseOptions& input) {
   const Device device = host_device();
   const int num_threads = input.threads > 0 ? input.threads : device.num_threads;
   std::cout << header_text(simulation, device, num_threads) << materials_text(simulation) << boundaries_text(simulation)
-            << work_text(simulation, num_threads) << input.case_file.string() << " is valid\n";
+            << work_text(simulation, num_threads) << printable(input.case_file.string()) << " is valid\n";
   return 0;
 }
 

@@ -10,6 +10,7 @@
 #include "host/command_line/commands.hpp"
 #include "host/command_line/quiet_hdf5.hpp"
 #include "host/mesh/mesh_error.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/output/machine_info.hpp"
 #include "host/solver/out_of_memory.hpp"
 
@@ -105,7 +106,7 @@ std::string version_text() {
 std::string failure_text(const CLI::App* app, const CLI::Error& error) {
   std::string command = app->get_name();
   for (const CLI::App* chosen : app->get_subcommands()) command += " " + chosen->get_name();
-  return command + ": " + error.what() + "\n`" + command + " --help` lists what is allowed.\n";
+  return command + ": " + printable(error.what()) + "\n`" + command + " --help` lists what is allowed.\n";
 }
 
 void describe_program(CLI::App& app) {
@@ -178,16 +179,16 @@ int run_command_line(int argc, char** argv) {
   try {
     return dispatch(argc, argv);
   } catch (const InputError& error) {
-    std::cerr << error.what() << "\n";
+    std::cerr << printable_lines(error.what()) << "\n";
     return bad_input;
   } catch (const MeshError& error) {
-    std::cerr << error.what() << "\n";
+    std::cerr << printable_lines(error.what()) << "\n";
     return bad_input;
   } catch (const std::bad_alloc& error) {
     std::cerr << out_of_memory_text(error) << "\n";
     return failed;
   } catch (const std::exception& error) {
-    std::cerr << "the run failed: " << error.what() << "\n";
+    std::cerr << "the run failed: " << printable_lines(error.what()) << "\n";
     return failed;
   }
 }

@@ -13,6 +13,7 @@
 #include "host/command_line/result_folder.hpp"
 #include "host/command_line/run_report.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/solver/run.hpp"
 
 namespace tentpole {
@@ -48,8 +49,8 @@ RunResult run_on(const Simulation& simulation, const Device& device, const Compa
                  const fs::path& folder, const Interrupt& interrupt) {
   const PreparedFolder prepared = prepare_result_folder(folder);
   if (prepared.moved_aside)
-    std::cerr << "note: the older result in " << folder.string() << " is now in " << prepared.moved_aside->string()
-              << "\n";
+    std::cerr << "note: the older result in " << printable(folder.string()) << " is now in "
+              << printable(prepared.moved_aside->string()) << "\n";
   std::cout << "running on " << device.name << "\n" << std::flush;
   RunOptions options;
   options.device = device;

@@ -8,6 +8,7 @@
 #include "host/many_core/calibrate.hpp"
 #include "host/many_core/row_sweep.hpp"
 #include "host/many_core/write_machine.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/output/atomic_file.hpp"
 #include "host/output/machine_info.hpp"
 
@@ -55,7 +56,7 @@ int write_calibration(const std::filesystem::path& file) {
   const Machine machine = calibrate_machine();
   replace_text_file(file, machine_text(machine, "Measured by tentpole " + build.version + " (" + build.git_revision +
                                                     ", " + build.compiler + ")."));
-  std::cout << file.string() << "\n" << text_table(sweep_rows(machine), "rrrr");
+  std::cout << printable(file.string()) << "\n" << text_table(sweep_rows(machine), "rrrr");
   return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "host/command_line/run_report.hpp"
 #include "host/command_line/snapshot_reader.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/mesh/printable.hpp"
 
 namespace tentpole {
 namespace {
@@ -46,7 +47,7 @@ void describe_summary(const fs::path& file) {
     Rows rows;
     for (const auto& [key, value] : section.items())
       rows.push_back(section.is_array() ? std::vector{value_text(value)} : std::vector{key, value_text(value)});
-    std::cout << name << "\n" << text_table(rows, "ll");
+    std::cout << printable(name) << "\n" << text_table(rows, "ll");
   }
 }
 
@@ -86,7 +87,7 @@ void describe_folder(const fs::path& folder) {
     describe_summary(folder / "summary.json");
   else if (fs::exists(folder / "checkpoint.h5"))
     std::cout << "the run is not complete; go on with: tentpole run CASE --resume "
-              << (folder / "checkpoint.h5").string() << "\n";
+              << printable((folder / "checkpoint.h5").string()) << "\n";
   else
     std::cout << "the run is not complete, and there is no checkpoint\n";
   std::cout << files_text(folder);

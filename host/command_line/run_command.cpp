@@ -6,6 +6,7 @@
 #include "host/command_line/quantity.hpp"
 #include "host/command_line/result_folder.hpp"
 #include "host/command_line/run_report.hpp"
+#include "host/mesh/printable.hpp"
 #include "host/solver/run.hpp"
 
 namespace tentpole {
@@ -31,16 +32,22 @@ fs::path ready_folder(const RunCommand& command) {
   const PreparedFolder folder =
       prepare_result_folder(command.out ? *command.out : default_result_folder(command.input.case_file));
   if (folder.moved_aside)
-    std::cerr << "note: the older result in " << folder.path.string() << " is now in " << folder.moved_aside->string()
-              << "\n";
+    std::cerr << "note: the older result in " << printable(folder.path.string()) << " is now in "
+              << printable(folder.moved_aside->string()) << "\n";
   return folder.path;
 }
 
-/// As a shell takes it.
+/// As a shell takes it; letters that a terminal must not see appear as escapes in $'..'.
 std::string quoted(const std::string& text) {
   if (text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,") ==
       std::string::npos)
     return text;
+  if (printable(text) != text) {
+    std::string escaped;
+    for (const char letter : text)
+      escaped += letter == '\'' || letter == '\\' ? std::string("\\") + letter : std::string(1, letter);
+    return "$'" + printable(escaped) + "'";
+  }
   std::string result = "'";
   for (const char letter : text) result += letter == '\'' ? "'\\''" : std::string(1, letter);
   return result + "'";

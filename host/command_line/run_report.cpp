@@ -8,6 +8,7 @@
 #include "device/stage_timer.hpp"
 #include "host/command_line/quantity.hpp"
 #include "host/command_line/text_table.hpp"
+#include "host/mesh/printable.hpp"
 
 namespace tentpole {
 namespace {
@@ -101,7 +102,7 @@ std::string header_text(const Simulation& simulation, const Device& device, int 
   const int num_unknowns = dimension * num_polynomials(dimension + 1, simulation.degree());
   const int num_threads = threads > 0 && device.kind != DeviceKind::gpu ? threads : device.num_threads;
   const std::string number = device.is_host ? "" : std::to_string(device.number) + ": ";
-  return simulation.settings.title + "\n" +
+  return printable(simulation.settings.title) + "\n" +
          text_table({{"mesh", std::to_string(dimension) + "D, " + count_text(mesh.num_cells()) + " " +
                                   cell_kind_text(dimension) + ", shortest edge " +
                                   short_number(simulation.smallest_edge) + " m"},
@@ -144,8 +145,8 @@ std::string files_text(const std::filesystem::path& folder) {
     rows.push_back(
         {"cracks.vtkhdf.series", count_text(num_crack_files) + " files of fracture edges, opens in ParaView"});
   std::sort(rows.begin(), rows.end());
-  return "files in " + folder.string() + "\n" + text_table(rows, "ll") + "pictures: tentpole plot " + folder.string() +
-         "\n";
+  const std::string place = printable(folder.string());
+  return "files in " + place + "\n" + text_table(rows, "ll") + "pictures: tentpole plot " + place + "\n";
 }
 
 }  // namespace tentpole

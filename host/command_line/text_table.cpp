@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/mesh/printable.hpp"
+
 namespace tentpole {
 namespace {
 
@@ -14,11 +16,14 @@ std::size_t num_places(const std::string& text) {
 
 std::string text_table(const std::vector<std::vector<std::string>>& rows, const std::string& alignment) {
   std::vector<std::size_t> width(alignment.size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t column = 0; column < row.size(); ++column)
+  std::vector<std::vector<std::string>> shown = rows;
+  for (auto& row : shown)
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      row[column] = printable(row[column]);
       width[column] = std::max(width[column], num_places(row[column]));
+    }
   std::string text;
-  for (const auto& row : rows) {
+  for (const auto& row : shown) {
     std::string line;
     for (std::size_t column = 0; column < row.size(); ++column) {
       const std::string padding(width[column] - num_places(row[column]), ' ');

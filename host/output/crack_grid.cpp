@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "kernels/quadrature.hpp"
 
@@ -39,6 +40,8 @@ void append_chain(const CrackSegment& segment, UnstructuredGrid& grid) {
     append_cell(segment, CrackCell::line, first_point + line, grid);
 }
 
+}  // namespace
+
 void check_segment(const CrackSegment& segment, int dimension) {
   const int largest = dimension == 1 ? 1 : static_cast<int>(segment.damage.size());
   if (segment.num_points < 1 || segment.num_points > largest)
@@ -47,12 +50,12 @@ void check_segment(const CrackSegment& segment, int dimension) {
                                 std::to_string(largest));
 }
 
-}  // namespace
-
 UnstructuredGrid crack_grid(int dimension, double time, std::span<const CrackSegment> segments) {
   std::vector<const CrackSegment*> sorted;
   for (const CrackSegment& segment : segments) sorted.push_back(&segment);
-  std::sort(sorted.begin(), sorted.end(), [](const CrackSegment* a, const CrackSegment* b) { return a->id < b->id; });
+  std::sort(sorted.begin(), sorted.end(), [](const CrackSegment* a, const CrackSegment* b) {
+    return std::pair(a->id, a->begin) < std::pair(b->id, b->begin);
+  });
   UnstructuredGrid grid;
   grid.time = time;
   grid.point_data = {{"damage", 1, {}}, {"opening", 1, {}}};

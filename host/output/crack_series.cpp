@@ -1,5 +1,7 @@
 #include "host/output/crack_series.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -9,7 +11,6 @@
 #include "host/output/crack_grid.hpp"
 #include "host/output/output_times.hpp"
 #include "host/output/series_writer.hpp"
-#include "host/output/time_coverage.hpp"
 
 namespace tentpole {
 namespace {
@@ -26,9 +27,16 @@ void write_series_file(const CrackSeries::Options& options, int num_written) {
   write_series(options.folder / "cracks.vtkhdf.series", entries);
 }
 
+bool is_sound(const CrackSegment& segment) {
+  const bool has_mode =
+      segment.mode == CrackMode::open || segment.mode == CrackMode::stick || segment.mode == CrackMode::slip;
+  return has_mode && std::all_of(segment.damage.begin(), segment.damage.begin() + segment.num_points,
+                                 [](double damage) { return std::isfinite(damage); });
+}
+
 }  // namespace
 
-CrackSeries::CrackSeries(Options options) : options_(std::move(options)) {
+CrackSeries::CrackSeries(Options options) : options_(std::move(options)), segments_(options_.times.size()) {
   check_output_times(options_.times, "cracks");
   if (options_.dimension != 1 && options_.dimension != 2)
     throw std::invalid_argument("cracks are written in one and two dimensions, not in " +
@@ -36,15 +44,21 @@ CrackSeries::CrackSeries(Options options) : options_(std::move(options)) {
   std::filesystem::create_directories(options_.folder);
 }
 
-bool CrackSeries::wants(double front_minimum_time) const {
-  return num_written_ < static_cast<int>(options_.times.size()) &&
-         front_has_passed(front_minimum_time, options_.times[num_written_]);
+void CrackSeries::add(int index, const CrackSegment& segment) {
+  if (index < num_written_)
+    throw std::logic_error("fracture edge " + std::to_string(segment.id) + " covers crack file " +
+                           std::to_string(index) + ", which is written already");
+  check_segment(segment, options_.dimension);
+  segments_.at(index).push_back(segment);
 }
 
-void CrackSeries::finish(double front_minimum_time, std::span<const CrackSegment> segments) {
-  while (wants(front_minimum_time)) {
-    const UnstructuredGrid grid = crack_grid(options_.dimension, options_.times[num_written_], segments);
-    write_vtkhdf(options_.folder / file_name(num_written_), grid);
+void CrackSeries::finish(double front_minimum_time) {
+  while (num_written_ < static_cast<int>(times().size()) &&
+         front_has_passed(front_minimum_time, times()[num_written_])) {
+    std::vector<CrackSegment>& segments = segments_[num_written_];
+    write_vtkhdf(options_.folder / file_name(num_written_),
+                 crack_grid(options_.dimension, times()[num_written_], segments));
+    segments = {};
     ++num_written_;
     write_series_file(options_, num_written_);
   }
@@ -52,14 +66,23 @@ void CrackSeries::finish(double front_minimum_time, std::span<const CrackSegment
 
 void CrackSeries::save(std::ostream& stream) const {
   write_value(stream, num_written_);
+  write_value(stream, segments_.size());
+  for (const std::vector<CrackSegment>& segments : segments_) write_vector(stream, segments);
 }
 
 void CrackSeries::load(std::istream& stream) {
-  const int num_written = read_value<int>(stream);
-  const int num_times = static_cast<int>(options_.times.size());
-  if (num_written < 0 || num_written > num_times)
-    throw std::runtime_error("the checkpoint has " + std::to_string(num_written) + " crack files and the case " +
-                             std::to_string(num_times) + "; resume with the case file of the checkpoint");
+  const int num_written = read_number(stream, static_cast<int>(times().size()), "the number of written crack files");
+  const auto num_times = read_value<std::size_t>(stream);
+  if (num_times != times().size())
+    throw std::runtime_error("the checkpoint has " + std::to_string(num_times) + " crack files and the case " +
+                             std::to_string(times().size()) + "; resume with the case file of the checkpoint");
+  for (std::vector<CrackSegment>& segments : segments_) {
+    segments = read_vector<CrackSegment>(stream);
+    for (const CrackSegment& segment : segments) {
+      check_segment(segment, options_.dimension);
+      require_sound(stream, is_sound(segment), "a crack segment has an unknown mode, or damage that is not finite");
+    }
+  }
   num_written_ = num_written;
 }
 

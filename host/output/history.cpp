@@ -1,6 +1,8 @@
 #include "host/output/history.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -36,12 +38,33 @@ struct FlowSums {
   }
 };
 
+struct SurfaceSums {
+  ExactSum length, failed, damage;  ///< measures; of what has failed; times mean damage
+  double damage_max = 0;
+
+  bool is_sound() const {
+    return length.is_sound() && failed.is_sound() && damage.is_sound() && std::isfinite(damage_max);
+  }
+};
+
+using EventCounts = std::array<std::int64_t, 4>;
+
+/// Whether sums of them stay counts.
+bool are_counts(const EventCounts& events) {
+  return std::ranges::all_of(events, [](std::int64_t count) { return count >= 0 && count < std::int64_t{1} << 40; });
+}
+
 struct Row {
   ExactSum kinetic, strain;
-  FlowSums partial;   ///< shares of flows that this row cuts
-  FlowSums complete;  ///< flows that are complete at this row and not at the row before
+  SurfaceSums surfaces;
+  EventCounts events{};  ///< since the row before
+  FlowSums partial;      ///< shares of flows that this row cuts
+  FlowSums complete;     ///< flows that are complete at this row and not at the row before
 
-  bool is_sound() const { return kinetic.is_sound() && strain.is_sound() && partial.is_sound() && complete.is_sound(); }
+  bool is_sound() const {
+    return kinetic.is_sound() && strain.is_sound() && surfaces.is_sound() && are_counts(events) && partial.is_sound() &&
+           complete.is_sound();
+  }
 };
 
 }  // namespace
@@ -50,24 +73,27 @@ struct History::Impl {
   CsvFile file;
   std::vector<double> times;
   std::vector<Row> rows;
-  FlowSums passed;  ///< flows complete at the last written row
+  FlowSums passed;       ///< flows complete at the last written row
+  EventCounts events{};  ///< up to the last written row
   int num_written = 0;
 
+  Row& open_row(int row);
   std::string line(int index, const FlowSums& cumulative, const FrontState& state) const;
 };
 
 std::string History::Impl::line(int index, const FlowSums& cumulative, const FrontState& state) const {
+  const Row& row = rows[index];
+  const double length = row.surfaces.length.value();
   std::string text;
   for (const double value :
-       {times[index], rows[index].kinetic.value(), rows[index].strain.value(), cumulative.external_work.value(),
-        cumulative.numerical.value(), cumulative.fracture.value(), cumulative.friction.value(), state.crack_length,
-        state.damage_mean, state.damage_max}) {
+       {times[index], row.kinetic.value(), row.strain.value(), cumulative.external_work.value(),
+        cumulative.numerical.value(), cumulative.fracture.value(), cumulative.friction.value(),
+        row.surfaces.failed.value(), length > 0 ? row.surfaces.damage.value() / length : 0, row.surfaces.damage_max}) {
     append_number(text, value);
     text += ',';
   }
-  for (const std::int64_t count :
-       {state.nucleations, state.extensions, state.branches, state.coalescences, state.fragments, state.cells})
-    text += std::to_string(count) + ',';
+  for (const std::int64_t count : events) text += std::to_string(count) + ',';
+  for (const std::int64_t count : {state.fragments, state.cells}) text += std::to_string(count) + ',';
   append_number(text, state.smallest_cell);
   return text + '\n';
 }
@@ -79,6 +105,7 @@ History::History(const std::filesystem::path& folder, double interval, double en
                                       .times = times,
                                       .rows = std::vector<Row>(times.size()),
                                       .passed = {},
+                                      .events = {},
                                       .num_written = 0});
 }
 
@@ -94,11 +121,30 @@ OutputRange History::rows(double time_min, double time_max) const {
   return covered_times(impl_->times, time_min, time_max);
 }
 
-void History::add_energy(int row, double kinetic, double strain) {
-  if (row < impl_->num_written || row >= static_cast<int>(impl_->rows.size()))
+Row& History::Impl::open_row(int row) {
+  if (row < num_written || row >= static_cast<int>(rows.size()))
     throw std::logic_error("history row " + std::to_string(row) + " is written already or does not exist");
-  impl_->rows[row].kinetic += kinetic;
-  impl_->rows[row].strain += strain;
+  return rows[row];
+}
+
+void History::add_energy(int row, double kinetic, double strain) {
+  Row& open = impl_->open_row(row);
+  open.kinetic += kinetic;
+  open.strain += strain;
+}
+
+void History::add_surface(int row, double measure, const CrackEdgeState& part) {
+  SurfaceSums& surfaces = impl_->open_row(row).surfaces;
+  surfaces.length += measure;
+  surfaces.failed += measure * failed_fraction(part);
+  surfaces.damage += measure * mean_damage(part);
+  surfaces.damage_max = std::max(surfaces.damage_max, largest_damage(part));
+}
+
+void History::add_event(CrackEvent event, double time) {
+  const auto row = std::lower_bound(impl_->times.begin(), impl_->times.end(), time) - impl_->times.begin();
+  const auto open = std::max<std::ptrdiff_t>(row, impl_->num_written);
+  if (open < std::ssize(impl_->rows)) ++impl_->rows[open].events[static_cast<std::size_t>(event)];
 }
 
 void History::add_interval(double time_min, double time_max, const EnergyFlow& flow) {
@@ -124,6 +170,8 @@ void History::finish(double front_minimum_time, const FrontState& state) {
     impl_->passed.add(impl_->rows[index].complete);
     FlowSums cumulative = impl_->passed;
     cumulative.add(impl_->rows[index].partial);
+    for (std::size_t event = 0; event < impl_->events.size(); ++event)
+      impl_->events[event] += impl_->rows[index].events[event];
     lines += impl_->line(index, cumulative, state);
   }
   if (!lines.empty()) impl_->file.append(lines);
@@ -133,6 +181,7 @@ void History::save(std::ostream& stream) const {
   impl_->file.save(stream);
   write_value(stream, impl_->num_written);
   write_value(stream, impl_->passed);
+  write_value(stream, impl_->events);
   write_vector(stream, impl_->rows);
 }
 
@@ -140,6 +189,8 @@ void History::load(std::istream& stream) {
   impl_->file.load(stream);
   impl_->num_written = read_number(stream, static_cast<int>(impl_->rows.size()), "the number of written rows");
   impl_->passed = read_value<FlowSums>(stream);
+  impl_->events = read_value<EventCounts>(stream);
+  require_sound(stream, are_counts(impl_->events), "a count of events is out of its range");
   std::vector<Row> rows = read_vector<Row>(stream);
   if (rows.size() != impl_->rows.size())
     throw std::runtime_error("the checkpoint has " + std::to_string(rows.size()) + " history rows and the case " +

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "host/fracture/crack_edge_state.hpp"
 #include "host/output/time_coverage.hpp"
 
 namespace tentpole {
@@ -20,23 +21,19 @@ struct EnergyFlow {
 
 /// State of the front that is noted in a row when the front has passed its time.
 struct FrontState {
-  double crack_length = 0;    ///< [m^(D-1)], surfaces with D >= 0.999
-  double surface_length = 0;  ///< [m^(D-1)], all fracture surfaces; no column of the history
-  double damage_mean = 0;     ///< over all fracture surfaces present
-  double damage_max = 0;
-  std::int64_t nucleations = 0;
-  std::int64_t extensions = 0;
-  std::int64_t branches = 0;
-  std::int64_t coalescences = 0;
   std::int64_t fragments = 0;
   std::int64_t cells = 0;
   double smallest_cell = 0;  ///< [m], shortest edge
 };
 
+/// What happens to cracks, each with a column of its own.
+enum class CrackEvent { nucleation, extension, branch, coalescence };
+
 /// history.csv: one row per output time, columns time [s], kinetic, strain, external_work, numerical, fracture,
 /// friction [J], crack_length [m], damage_mean, damage_max, nucleations, extensions, branches, coalescences, fragments,
 /// cells, smallest_cell [m]. Energies are exact sums (common/exact_sum.hpp), so the order of the calls does not matter.
-/// external_work, numerical, fracture and friction are cumulative from t = 0. Not thread safe.
+/// external_work, numerical, fracture, friction and the counts of events are cumulative from t = 0. crack_length is
+/// that of surfaces with damage >= 0.999, damage_mean is over all fracture surfaces. Not thread safe.
 class History {
  public:
   /// Rows at 0, interval, 2 interval, .., end [s] (`end` always the last); nothing is written before the
@@ -59,6 +56,12 @@ class History {
   /// Elements are shorter than the row interval, so a row is off by at most what its cut elements exchange; rows on a
   /// flat front (the end) are exact.
   void add_interval(double time_min, double time_max, const EnergyFlow& flow);
+
+  /// Adds a part of a fracture surface, of this measure [m^(D-1)], at the time of `row`.
+  void add_surface(int row, double measure, const CrackEdgeState& part);
+
+  /// Counts an event at `time` [s]; one that comes after its row was written counts from the next.
+  void add_event(CrackEvent event, double time);
 
   /// Appends and flushes the rows that the front has passed, whole lines only, each with `state`.
   void finish(double front_minimum_time, const FrontState& state);

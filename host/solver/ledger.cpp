@@ -9,6 +9,7 @@
 
 #include "host/output/binary_stream.hpp"
 #include "host/solver/energy_balance.hpp"
+#include "host/solver/solved_element.hpp"
 
 namespace tentpole {
 namespace {
@@ -158,29 +159,10 @@ void Ledger::commit_element(const HostBatch& batch, std::int32_t element) {
   history_.add_interval(range.first, range.last, flow);
 }
 
-SpacetimeElement Ledger::spacetime_element(const HostBatch& batch, std::int32_t index) const {
-  const ElementDescriptor& from = batch.elements[index];
-  SpacetimeElement element;
-  element.dimension = simulation_.dimension();
-  for (int corner = 0; corner <= element.dimension + 1; ++corner) {
-    for (int axis = 0; axis < element.dimension; ++axis)
-      element.corner[corner][axis] = from.corner[corner][axis] * simulation_.scaling.length;
-    element.corner[corner][element.dimension] = simulation_.time_in_seconds(from.corner[corner][element.dimension]);
-  }
-  element.region = from.material;
-  element.id = batch.cells[index];
-  if (!batch.damage.empty()) element.damage = batch.damage[index];
-  element.material = simulation_.materials[from.material];
-  return element;
-}
-
 void Ledger::record_wanted(const HostBatch& batch, std::size_t index) {
   const std::int32_t element_index = batch.wanted[index];
-  const std::size_t n = basis_.size() * simulation_.dimension();
-  std::vector<double> coefficients(batch.wanted_coefficients.begin() + index * n,
-                                   batch.wanted_coefficients.begin() + (index + 1) * n);
-  for (double& coefficient : coefficients) coefficient *= simulation_.scaling.length;
-  SpacetimeElement element = spacetime_element(batch, element_index);
+  const std::vector<double> coefficients = solved_coefficients(simulation_, batch, index);
+  SpacetimeElement element = spacetime_element(simulation_, batch, element_index);
   element.coefficients = coefficients;
   if (errors_.active()) errors_.add(element);
   recorder_.record(element);

@@ -53,7 +53,6 @@ class Ledger {
   void record_wanted(const HostBatch& batch, std::size_t index);
   void request_slices(HostBatch& batch, std::int32_t element) const;
   void commit_slice(const HostBatch& batch, std::size_t request);
-  SpacetimeElement spacetime_element(const HostBatch& batch, std::int32_t element) const;
 
   const Simulation& simulation_;
   Recorder& recorder_;

@@ -1,4 +1,4 @@
-"""Reads cracks_NNNN.vtkhdf: the fracture edges of the front with damage and opening along them."""
+"""Reads cracks_NNNN.vtkhdf: the fracture edges at the file's time with damage and opening along them."""
 from dataclasses import dataclass
 
 import h5py

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "host/case_file/case.hpp"
 
@@ -86,6 +87,56 @@ TEST(BrokenCaseMessage, SyntaxErrorsNameTheColumn) {
     EXPECT_NE(std::string(error.what()).find("syntax_error.toml:23:10: this is not TOML"), std::string::npos)
         << error.what();
   }
+}
+
+std::string refusal(const std::string& path, const std::vector<std::string>& overrides = {}) {
+  try {
+    read_case(path, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string refusal_of_text(const std::string& text) {
+  const std::string path = testing::TempDir() + "/tentpole_broken_" + std::to_string(getpid()) + ".toml";
+  std::ofstream(path) << text;
+  const std::string message = refusal(path);
+  std::filesystem::remove(path);
+  const auto name = message.find(".toml");
+  return name == std::string::npos ? message : message.substr(name);
+}
+
+TEST(BrokenCaseMessage, WhatTheParserCannotBearIsRefusedBeforeItWithLineAndColumn) {
+  std::string deep = "title = \"ß\"\na";
+  for (int i = 0; i < 20000; ++i) deep += ".a";
+  EXPECT_EQ(refusal_of_text(deep + " = 1\n"),
+            ".toml:2:40: this is not TOML: a key of more than 20 parts. Remove parts; no key of a case has that many.");
+  EXPECT_EQ(
+      refusal_of_text("a = 1\n" + std::string(100000, '[')),
+      ".toml:2:21: this is not TOML: brackets are nested more than 20 deep. Close those that stand open, or write "
+      "fewer of them.");
+  EXPECT_EQ(refusal_of_text("[boundary]\ngröße = 1\n"),
+            ".toml:2:3: this is not TOML: a letter beyond ASCII needs quotation marks here. Put the name or text into "
+            "\"...\".");
+  EXPECT_EQ(refusal_of_text("title = \"\xe4\"\n"),
+            ".toml:1:10: this is not TOML: this byte is no UTF-8, which TOML is written in. Save the file as UTF-8.");
+  EXPECT_EQ(refusal_of_text(std::string(17'000'000, '#')),
+            ".toml: has more than 16 MB, so it is no case. Give the path "
+            "of a TOML file.");
+}
+
+TEST(BrokenCaseMessage, OverridesAreNoDeeperThanFiles) {
+  const std::string path = TENTPOLE_TEST_DATA "/valid/three_dimensions.toml";
+  std::string plain = "a", quoted = "\"a\"", brackets = "title=";
+  for (int i = 0; i < 20000; ++i) {
+    plain += ".a";
+    quoted += ".\"a\"";
+    brackets += "[";
+  }
+  for (const std::string& deep : {plain, quoted})
+    EXPECT_NE(refusal(path, {deep + "=1"}).find("is no override"), std::string::npos);
+  EXPECT_EQ(read_case(path, {brackets}).title, brackets.substr(6)) << "a text that is no TOML";
 }
 
 TEST(BrokenCaseMessage, FileThatDoesNotExistIsNamed) {

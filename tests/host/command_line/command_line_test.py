@@ -50,6 +50,19 @@ class Run(ProgramTest):
         self.assertIn("bad.toml:17: time.end = 0:", err)
         self.assertIn('--set domain.cell=3: unknown key', err)
 
+    def test_titles_and_names_reach_the_terminal_without_escapes(self):
+        (self.folder / "odd\x1b[2J.toml").write_text(WAVE.replace("a wave on a ring", r"a wave\u001b[31m on\na ring\u009b"))
+        for command in (["check", "odd\x1b[2J.toml"], ["run", "odd\x1b[2J.toml", "--out", "r\x1b[7m"], ["info", "r\x1b[7m"]):
+            out, err = self.tentpole(*command)
+            self.assertNotRegex(out + err, r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+            self.assertIn(r"a wave\x1b[31m on\na ring\u009b" + "\n", out)
+        for faulty in (["run", "odd\x1b[2J.toml", "--set", "output.fields=['x\x1b[2Jy']"],
+                       ["check", "odd\x1b[2J.toml", "--set", "domain.\x1b[2J=1"], ["check", "none\x1b[2J\n.toml"],
+                       ["info", "none\x1b[2J"], ["chec\x1b[2Jk"], ["run", "odd\x1b[2J.toml", "--\x1b[2J"]):
+            err = self.refused(*faulty)
+            self.assertNotRegex(err, r"[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+            self.assertIn(r"\x1b[2J", err)
+
     def test_set_replaces_values_of_the_case(self):
         self.tentpole("run", "wave.toml", "--set", "discretization.degree=3", "--set", "time.end=0.1",
                       "--set", "initial.displacement=['0']")

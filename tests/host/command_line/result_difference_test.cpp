@@ -44,13 +44,12 @@ TEST(ResultDifference, SeesCracks) {
   const auto a = root.path() / "a", b = root.path() / "b", c = root.path() / "c";
   for (const auto& [folder, damage] : {std::pair{&a, 0.5}, std::pair{&b, 0.375}, std::pair{&c, -1.0}}) {
     CrackSeries cracks({.dimension = 2, .folder = *folder, .times = {1e-8, 2e-8}});
-    cracks.finish(1e-8, {});
     CrackSegment segment;
     segment.end[1] = {1e-6, 0, 0};
     segment.num_points = 2;
     segment.damage = {0.25, damage};
-    std::vector<CrackSegment> segments(damage < 0 ? 2 : 1, segment);
-    cracks.finish(2e-8, segments);
+    for (int repeat = 0; repeat < (damage < 0 ? 2 : 1); ++repeat) cracks.add(1, segment);
+    cracks.finish(2e-8);
   }
   const ResultDifference difference = compare_results(a, b);
   EXPECT_DOUBLE_EQ(difference.largest, 0.125 / 0.5);

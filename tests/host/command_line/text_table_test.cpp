@@ -22,6 +22,10 @@ TEST(TextTable, LettersBeyondAsciiTakeOnePlace) {
   EXPECT_EQ(text_table({{"µs", "1"}, {"ab", "2"}}, "ll"), "  µs  1\n  ab  2\n");
 }
 
+TEST(TextTable, ControlCharactersOfEntriesAreShownAndKeepTheColumns) {
+  EXPECT_EQ(text_table({{"a\nb", "1"}, {"c\x1b[2J", "2"}}, "ll"), "  a\\nb      1\n  c\\x1b[2J  2\n");
+}
+
 TEST(TextTable, NoRowsAreNoText) {
   EXPECT_EQ(text_table({}, "lr"), "");
 }

@@ -66,17 +66,32 @@ TEST(CrackGrid, RefusesSegmentsWithoutOrWithTooManyPoints) {
   EXPECT_THROW(crack_grid(1, 0, std::vector{segment}), std::invalid_argument);
 }
 
+TEST(CrackGrid, PutsThePartsOfAnEdgeInOrder) {
+  CrackSegment first = slanted_edge(3), second = slanted_edge(3), other = slanted_edge(1);
+  second.begin = 0.5;
+  first.damage[0] = 0.125;
+  const UnstructuredGrid grid = crack_grid(2, 0, std::vector{second, first, other});
+  EXPECT_EQ(grid.cell_numbers[0].values, (std::vector<std::int64_t>{1, 1, 1, 3, 3, 3, 3, 3, 3}));
+  EXPECT_EQ(grid.point_data[0].values[4], 0.125);
+}
+
+void add(CrackSeries& cracks, int index, const std::vector<CrackSegment>& segments) {
+  for (const CrackSegment& segment : segments) cracks.add(index, segment);
+}
+
 TEST(CrackSeries, WritesOneFilePerTimeThatTheFrontHasPassed) {
   ResultFolder folder("cracks_front");
   CrackSeries cracks({.dimension = 2, .folder = folder.path(), .times = {0, 1e-8, 2e-8}});
-  EXPECT_FALSE(cracks.wants(0));
-  cracks.finish(0, std::vector{slanted_edge(0)});
+  EXPECT_EQ(cracks.range(0, 1e-8).first, 0);
+  EXPECT_EQ(cracks.range(0, 1e-8).last, 2);
+  cracks.add(0, slanted_edge(0));
+  cracks.finish(0);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "cracks_0000.vtkhdf"));
-  EXPECT_TRUE(cracks.wants(1.5e-8));
-  cracks.finish(1.5e-8, {});
-  EXPECT_FALSE(cracks.wants(1.5e-8));
+  cracks.finish(1.5e-8);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "cracks_0002.vtkhdf"));
-  cracks.finish(2e-8, std::vector{slanted_edge(0)});
+  EXPECT_THROW(cracks.add(1, slanted_edge(0)), std::logic_error);
+  cracks.add(2, slanted_edge(0));
+  cracks.finish(2e-8);
   const auto series = nlohmann::json::parse(folder.read("cracks.vtkhdf.series"));
   ASSERT_EQ(series["files"].size(), 3u);
   for (int index = 0; index < 3; ++index) {
@@ -93,19 +108,23 @@ TEST(CrackSeries, GivesTheSameBytesForAnyOrderAndAfterACheckpoint) {
                             late = {slanted_edge(0), slanted_edge(1), slanted_edge(4)};
   const std::vector<double> times = {1e-8, 2e-8};
   CrackSeries cracks({.dimension = 2, .folder = whole.path(), .times = times});
-  cracks.finish(1e-8, early), cracks.finish(2e-8, late);
+  add(cracks, 0, early), add(cracks, 1, late);
+  cracks.finish(2e-8);
 
-  std::reverse(early.begin(), early.end()), std::reverse(late.begin(), late.end());
+  std::reverse(early.begin(), early.end());
   std::stringstream checkpoint;
   {
     CrackSeries interrupted({.dimension = 2, .folder = resumed.path(), .times = times});
-    interrupted.finish(1e-8, early);
+    add(interrupted, 0, early);
+    interrupted.add(1, late[2]);
+    interrupted.finish(1e-8);
     interrupted.save(checkpoint);
-    interrupted.finish(2e-8, early);  // what the resumed run replaces
+    interrupted.finish(2e-8);  // what the resumed run replaces
   }
   CrackSeries next({.dimension = 2, .folder = resumed.path(), .times = times});
   next.load(checkpoint);
-  next.finish(2e-8, late);
+  next.add(1, late[1]), next.add(1, late[0]);
+  next.finish(2e-8);
   for (const char* name : {"cracks_0000.vtkhdf", "cracks_0001.vtkhdf", "cracks.vtkhdf.series"})
     EXPECT_TRUE(whole.read(name) == resumed.read(name)) << name;
   EXPECT_FALSE(whole.read("cracks_0000.vtkhdf") == whole.read("cracks_0001.vtkhdf"));
@@ -116,7 +135,7 @@ TEST(CrackSeries, RefusesOtherDimensionsUnsortedTimesAndForeignCheckpoints) {
   EXPECT_THROW(CrackSeries({.dimension = 3, .folder = folder.path(), .times = {0}}), std::invalid_argument);
   EXPECT_THROW(CrackSeries({.dimension = 2, .folder = folder.path(), .times = {1, 1}}), std::invalid_argument);
   CrackSeries longer({.dimension = 2, .folder = folder.path(), .times = {0, 1, 2}});
-  longer.finish(2, {});
+  longer.finish(2);
   std::stringstream checkpoint;
   longer.save(checkpoint);
   CrackSeries shorter({.dimension = 2, .folder = folder.path(), .times = {0, 1}});

@@ -76,20 +76,69 @@ TEST(History, WritesOnlyRowsThatTheFrontHasPassed) {
   History history(folder.path(), 0.25, 1);
   history.finish(0, {});
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "history.csv"));
-  history.finish(0.6, {.crack_length = 1});
+  history.finish(0.6, {.cells = 1});
   EXPECT_EQ(read_rows(folder).size(), 3u);
-  history.finish(1, {.crack_length = 2});
+  history.finish(1, {.cells = 2});
   const auto rows = read_rows(folder);
   ASSERT_EQ(rows.size(), 5u);
-  EXPECT_EQ(rows[2][7], 1);
-  EXPECT_EQ(rows[3][7], 2);
+  EXPECT_EQ(rows[2][15], 1);
+  EXPECT_EQ(rows[3][15], 2);
   EXPECT_THROW(history.add_energy(0, 1, 1), std::logic_error);
+  EXPECT_THROW(history.add_surface(0, 1, uniform_crack_edge(1, 0.5)), std::logic_error);
+}
+
+/// Half of a length of 4 has failed.
+TEST(History, SumsUpTheSurfacesOfEachRow) {
+  ResultFolder folder("history_surfaces");
+  History history(folder.path(), 0.5, 1);
+  history.add_surface(1, 3, uniform_crack_edge(2, 0.5));
+  CrackEdgeState half_failed = uniform_crack_edge(2, 0.25);
+  half_failed.damage[1] = 0.9995;
+  history.add_surface(1, 1, half_failed);
+  history.finish(1, {});
+  const auto rows = read_rows(folder);
+  EXPECT_EQ(rows[0][7], 0);
+  EXPECT_EQ(rows[0][8], 0);
+  EXPECT_NEAR(rows[1][7], 0.5, 1e-15);
+  EXPECT_NEAR(rows[1][8], (3 * 0.5 + 0.5 * (0.25 + 0.9995)) / 4, 1e-15);
+  EXPECT_EQ(rows[1][9], 0.9995);
+  EXPECT_EQ(rows[2][8], 0) << "nothing is carried over";
+}
+
+TEST(History, CountsEventsByTheirTimes) {
+  ResultFolder folder("history_events");
+  History history(folder.path(), 0.25, 1);
+  history.add_event(CrackEvent::nucleation, 0.5);
+  history.add_event(CrackEvent::extension, 0.51);
+  history.add_event(CrackEvent::coalescence, 0.1);
+  history.finish(0.6, {});
+  history.add_event(CrackEvent::extension, 0.3);  // late: its row is written
+  history.add_event(CrackEvent::branch, 1);
+  history.add_event(CrackEvent::branch, 1.1);
+  history.finish(1, {});
+  const auto rows = read_rows(folder);
+  const double nucleations[] = {0, 0, 1, 1, 1}, extensions[] = {0, 0, 0, 2, 2}, branches[] = {0, 0, 0, 0, 1},
+               coalescences[] = {0, 1, 1, 1, 1};
+  for (int row = 0; row < 5; ++row) {
+    EXPECT_EQ(rows[row][10], nucleations[row]);
+    EXPECT_EQ(rows[row][11], extensions[row]);
+    EXPECT_EQ(rows[row][12], branches[row]);
+    EXPECT_EQ(rows[row][13], coalescences[row]);
+  }
 }
 
 TEST(History, GoesOnBitwiseFromACheckpoint) {
   ResultFolder whole("history_whole"), resumed("history_resumed");
-  const auto early = [](History& history) { history.add_interval(0, 0.7, {.external_work = 1.0 / 3}); };
-  const auto late = [](History& history) { history.add_interval(0.5, 1, {.external_work = 0.1}); };
+  const auto early = [](History& history) {
+    history.add_interval(0, 0.7, {.external_work = 1.0 / 3});
+    history.add_event(CrackEvent::nucleation, 0.2);
+    history.add_surface(3, 0.3, uniform_crack_edge(1, 0.7));
+  };
+  const auto late = [](History& history) {
+    history.add_interval(0.5, 1, {.external_work = 0.1});
+    history.add_event(CrackEvent::nucleation, 0.9);
+    history.add_surface(3, 0.1, uniform_crack_edge(1, 0.1));
+  };
   History history(whole.path(), 0.25, 1);
   early(history), history.finish(0.5, {}), late(history), history.finish(1, {});
 

@@ -112,22 +112,20 @@ std::vector<CrackSegment> crack_segments(const PitchedBox& box, const PitchedEle
   return segments;
 }
 
-FrontState front_state(int dimension, const std::vector<CrackSegment>& segments, const PitchedElements& pitched) {
-  FrontState state;
-  double sum = 0, total = 0;
+void add_surfaces(int dimension, const std::vector<CrackSegment>& segments, int row, History& history) {
   for (const CrackSegment& segment : segments) {
-    const double size = dimension == 1 ? 1 : length(segment);
-    for (int point = 0; point < segment.num_points; ++point) {
-      sum += segment.damage[point] * size / segment.num_points;
-      if (segment.damage[point] >= 0.999) state.crack_length += size / segment.num_points;
-      state.damage_max = std::max(state.damage_max, segment.damage[point]);
-    }
-    total += size;
+    CrackEdgeState state;
+    state.num_points = segment.num_points;
+    state.damage = segment.damage;
+    history.add_surface(row, dimension == 1 ? 1 : length(segment), state);
   }
-  state.damage_mean = total > 0 ? sum / total : 0;
-  state.nucleations = segments.empty() ? 0 : 1;
-  state.extensions = std::max<std::int64_t>(0, std::ssize(segments) - 1);
-  state.fragments = segments.size() == edges_between_regions(pitched).size() && state.damage_mean > 0.99 ? 2 : 1;
+}
+
+FrontState front_state(const std::vector<CrackSegment>& segments, const PitchedElements& pitched) {
+  FrontState state;
+  double smallest = 1;
+  for (const CrackSegment& segment : segments) smallest = std::min(smallest, segment.damage[0]);
+  state.fragments = segments.size() == edges_between_regions(pitched).size() && smallest > 0.99 ? 2 : 1;
   // Any numbers, as if the mesh had been refined at every fracture edge.
   state.cells = 800 + 50 * std::ssize(segments);
   state.smallest_cell = 1e-5 / (1 + static_cast<double>(segments.size()));

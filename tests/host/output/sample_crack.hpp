@@ -27,7 +27,10 @@ PitchedElements pitch_cracked(const PitchedBox& box, const SampleCrack& crack);
 std::vector<CrackSegment> crack_segments(const PitchedBox& box, const PitchedElements& pitched,
                                          const SampleCrack& crack, double time);
 
-/// What history.csv says about these segments.
-FrontState front_state(int dimension, const std::vector<CrackSegment>& segments, const PitchedElements& pitched);
+/// Adds the segments to a row of the history.
+void add_surfaces(int dimension, const std::vector<CrackSegment>& segments, int row, History& history);
+
+/// What history.csv says about the front with these segments.
+FrontState front_state(const std::vector<CrackSegment>& segments, const PitchedElements& pitched);
 
 }  // namespace tentpole

@@ -81,10 +81,19 @@ void add_crack(const PitchedBox& box, const PitchedElements& pitched, const Reco
   CrackSeries cracks({.dimension = box.dimension, .folder = options.folder, .times = options.snapshot_times});
   const double fracture_energy = 6 * (box.dimension == 1 ? 1 : box.length[1]);  // 6 J/m^2, any number
   history.add_interval(sample_crack.start, box.end, {.fracture = fracture_energy});
-  for (const double time : options.snapshot_times)
-    cracks.finish(time, crack_segments(box, pitched, sample_crack, time));
-  for (const double time : history.times())
-    history.finish(time, front_state(box.dimension, crack_segments(box, pitched, sample_crack, time), pitched));
+  for (std::size_t file = 0; file < options.snapshot_times.size(); ++file)
+    for (const CrackSegment& segment : crack_segments(box, pitched, sample_crack, options.snapshot_times[file]))
+      cracks.add(static_cast<int>(file), segment);
+  cracks.finish(box.end);
+  std::size_t num_before = 0;
+  for (int row = 0; row < std::ssize(history.times()); ++row) {
+    const double time = history.times()[row];
+    const std::vector<CrackSegment> segments = crack_segments(box, pitched, sample_crack, time);
+    add_surfaces(box.dimension, segments, row, history);
+    for (; num_before < segments.size(); ++num_before)
+      history.add_event(num_before == 0 ? CrackEvent::nucleation : CrackEvent::extension, time);
+    history.finish(time, front_state(segments, pitched));
+  }
 }
 
 void write_result(const PitchedBox& box, const PitchedElements& pitched, const std::filesystem::path& folder,
