@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -41,10 +42,17 @@ struct SurfaceSums {
   ExactSum length, failed, damage;  ///< measures; of what has failed; times mean damage
   double damage_max = 0;
 
-  bool is_sound() const { return length.is_sound() && failed.is_sound() && damage.is_sound(); }
+  bool is_sound() const {
+    return length.is_sound() && failed.is_sound() && damage.is_sound() && std::isfinite(damage_max);
+  }
 };
 
 using EventCounts = std::array<std::int64_t, 4>;
+
+/// Whether sums of them stay counts.
+bool are_counts(const EventCounts& events) {
+  return std::ranges::all_of(events, [](std::int64_t count) { return count >= 0 && count < std::int64_t{1} << 40; });
+}
 
 struct Row {
   ExactSum kinetic, strain;
@@ -54,7 +62,8 @@ struct Row {
   FlowSums complete;     ///< flows that are complete at this row and not at the row before
 
   bool is_sound() const {
-    return kinetic.is_sound() && strain.is_sound() && surfaces.is_sound() && partial.is_sound() && complete.is_sound();
+    return kinetic.is_sound() && strain.is_sound() && surfaces.is_sound() && are_counts(events) && partial.is_sound() &&
+           complete.is_sound();
   }
 };
 
@@ -184,6 +193,7 @@ void History::load(std::istream& stream) {
   impl_->num_written = read_number(stream, static_cast<int>(impl_->rows.size()), "the number of written rows");
   impl_->passed = read_value<FlowSums>(stream);
   impl_->events = read_value<EventCounts>(stream);
+  require_sound(stream, are_counts(impl_->events), "a count of events is out of its range");
   std::vector<Row> rows = read_vector<Row>(stream);
   if (rows.size() != impl_->rows.size())
     throw std::runtime_error("the checkpoint has " + std::to_string(rows.size()) + " history rows and the case " +

@@ -94,8 +94,8 @@ TEST_P(CraftedCheckpoint, WithANumberOutOfItsRangeSaysWhichSection) {
 
 TEST_P(CraftedCheckpoint, WithALengthBeyondItsEndIsRefusedBeforeMemoryIsTaken) {
   CheckpointContents bad = good_;
-  // bytes of the table, rows written, four sums of flows; then the rows of the history
-  const std::size_t place = sizeof(std::int64_t) + sizeof(int) + 4 * sizeof(ExactSum);
+  // bytes of the table, rows written, four sums of flows, four counts of events; then the rows of the history
+  const std::size_t place = sizeof(std::int64_t) + sizeof(int) + 4 * sizeof(ExactSum) + 4 * sizeof(std::int64_t);
   std::int64_t length = 0;
   std::memcpy(&length, &bad.history[place], sizeof length);
   ASSERT_GT(length, 1) << "the place of the length";
