@@ -1,13 +1,14 @@
 #include "device/device.hpp"
 
 #include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 
 #include <omp.h>
 
+#include "device/free_memory.hpp"
 #include "device/gpu_driver.hpp"
 #include "device/target_runtime.hpp"
+#include "device/thread_choice.hpp"
 
 namespace tentpole {
 
@@ -51,22 +52,11 @@ void add_driver_facts(Device& device, int gpu) {
   device.num_multiprocessors = gpus[gpu].num_multiprocessors;
 }
 
-/// What the kernel thinks can be used without swapping.
-std::optional<std::int64_t> free_host_memory() {
-  std::ifstream lines("/proc/meminfo");
-  std::string name;
-  std::int64_t kibibytes = 0;
-  while (lines >> name >> kibibytes) {
-    if (name == "MemAvailable:") return 1024 * kibibytes;
-    lines.ignore(80, '\n');
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 Device host_device() {
-  return {omp_get_initial_device(), true, DeviceKind::host, kind_name(DeviceKind::host), omp_get_max_threads()};
+  return {omp_get_initial_device(), true, DeviceKind::host, kind_name(DeviceKind::host),
+          choose_threads(thread_supply(), 0).threads};
 }
 
 std::vector<Device> available_devices() {

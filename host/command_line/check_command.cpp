@@ -124,14 +124,14 @@ std::string work_text(const Simulation& simulation, int num_threads) {
 int check_command(const CheckCommand& command) {
   const CaseOptions& input = command.input;
   const Simulation simulation = read_simulation(input);
+  const ThreadChoice choice = choose_threads(input);
   RunOptions options;
   options.device = choose_device(command.offload, command.device);
-  options.threads = input.threads;
+  options.threads = choice.threads;
   prepare_run(simulation, options);
-  const int num_threads = input.threads > 0 ? input.threads : options.device.num_threads;
-  std::cout << header_text(simulation, options.device, num_threads) << materials_text(simulation)
-            << boundaries_text(simulation) << work_text(simulation, num_threads) << printable(input.case_file.string())
-            << " is valid\n";
+  std::cout << header_text(simulation, options.device, choice) << materials_text(simulation)
+            << boundaries_text(simulation) << work_text(simulation, choice.threads)
+            << printable(input.case_file.string()) << " is valid\n";
   return 0;
 }
 

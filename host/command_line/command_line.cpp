@@ -8,10 +8,11 @@
 #include "host/case_file/input_error.hpp"
 #include "host/case_file/nearest_name.hpp"
 #include "host/command_line/commands.hpp"
-#include "host/command_line/quiet_hdf5.hpp"
+#include "host/command_line/prepare_hdf5.hpp"
 #include "host/mesh/mesh_error.hpp"
 #include "host/mesh/printable.hpp"
 #include "host/output/machine_info.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -36,7 +37,7 @@ void add_case_options(CLI::App& command, CaseOptions& input) {
       ->allow_extra_args(false);
   command.add_option("--seed", input.seed, "seed of an unstructured mesh and of the defects of nucleation")
       ->type_name("N");
-  command.add_option("--threads", input.threads, "number of threads (default: all)")
+  command.add_option("--threads", input.threads, "number of threads (default: as many as cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""));
 }
@@ -55,7 +56,10 @@ void add_run(CLI::App& app, RunCommand& command) {
   add_case_options(*run, command.input);
   run->add_option("--out", command.out, "result folder (default: result_CASE); an older one is moved to DIR.1")
       ->type_name("DIR");
-  run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  CLI::Option* resume =
+      run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  run->add_flag("--force", command.force, "resume also from a checkpoint that another build of the program wrote")
+      ->needs(resume);
   add_offload_options(*run, command.offload, command.device);
   run->add_flag("--check", command.check, "verify the energy balance of every patch");
   run->add_flag("--quiet", command.quiet, "print notes, warnings and errors only");
@@ -181,7 +185,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-  keep_hdf5_quiet();
+  prepare_hdf5();
   try {
     return dispatch(argc, argv);
   } catch (const InputError& error) {
@@ -190,8 +194,8 @@ int run_command_line(int argc, char** argv) {
   } catch (const MeshError& error) {
     std::cerr << printable_lines(error.what()) << "\n";
     return bad_input;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory. `tentpole check` says what a case needs; give fewer cells or a lower degree.\n";
+  } catch (const std::bad_alloc& error) {
+    std::cerr << out_of_memory_text(error) << "\n";
     return failed;
   } catch (const std::exception& error) {
     std::cerr << "the run failed: " << printable_lines(error.what()) << "\n";

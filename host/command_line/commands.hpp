@@ -17,6 +17,7 @@ struct RunCommand {
   CaseOptions input;
   std::optional<std::filesystem::path> out;     ///< result folder
   std::optional<std::filesystem::path> resume;  ///< checkpoint
+  bool force = false;                           ///< also one of another build
   bool offload = false;
   std::optional<int> device;
   bool check = false;

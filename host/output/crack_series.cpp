@@ -1,5 +1,7 @@
 #include "host/output/crack_series.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -23,6 +25,13 @@ void write_series_file(const CrackSeries::Options& options, int num_written) {
   std::vector<SeriesEntry> entries;
   for (int index = 0; index < num_written; ++index) entries.push_back({file_name(index), options.times[index]});
   write_series(options.folder / "cracks.vtkhdf.series", entries);
+}
+
+bool is_sound(const CrackSegment& segment) {
+  const bool has_mode =
+      segment.mode == CrackMode::open || segment.mode == CrackMode::stick || segment.mode == CrackMode::slip;
+  return has_mode && std::all_of(segment.damage.begin(), segment.damage.begin() + segment.num_points,
+                                 [](double damage) { return std::isfinite(damage); });
 }
 
 }  // namespace
@@ -61,13 +70,24 @@ void CrackSeries::save(std::ostream& stream) const {
 }
 
 void CrackSeries::load(std::istream& stream) {
-  const int num_written = read_value<int>(stream);
+  const int num_written = read_number(stream, static_cast<int>(times().size()), "the number of written crack files");
   const auto num_times = read_value<std::size_t>(stream);
-  if (num_times != times().size() || num_written < 0 || num_written > static_cast<int>(num_times))
+  if (num_times != times().size())
     throw std::runtime_error("the checkpoint has " + std::to_string(num_times) + " crack files and the case " +
                              std::to_string(times().size()) + "; resume with the case file of the checkpoint");
-  for (std::vector<CrackSegment>& segments : segments_) segments = read_vector<CrackSegment>(stream);
+  for (std::vector<CrackSegment>& segments : segments_) {
+    segments = read_vector<CrackSegment>(stream);
+    for (const CrackSegment& segment : segments) {
+      check_segment(segment, options_.dimension);
+      require_sound(stream, is_sound(segment), "a crack segment has an unknown mode, or damage that is not finite");
+    }
+  }
   num_written_ = num_written;
+}
+
+void CrackSeries::add_written(WrittenFiles& files) const {
+  for (int index = 0; index < num_written_; ++index) files.push_back({options_.folder / file_name(index)});
+  if (num_written_ > 0) files.push_back({options_.folder / "cracks.vtkhdf.series"});
 }
 
 }  // namespace tentpole

@@ -44,13 +44,16 @@ class Probe {
 
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+  void add_written(WrittenFiles& files) const { file_.add_written(files); }
 
  private:
   struct Sample {
     std::array<double, 4> place{};  ///< centroid of the element it is from
     std::int64_t id = 0;
-    bool present = false;
+    std::uint8_t present = 0;
     PointFields fields;
+
+    bool is_sound() const { return present <= 1; }
   };
 
   std::string row(double time, const PointFields& fields) const;

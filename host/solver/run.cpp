@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "host/adaptive/adaptive_march.hpp"
+#include "host/output/file_identity.hpp"
 #include "host/output/output_times.hpp"
 #include "host/solver/check_expressions.hpp"
 #include "host/solver/check_probes.hpp"
@@ -11,6 +12,7 @@
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/fixed_march.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -31,13 +33,14 @@ std::string field_name(OutputField field) {
   return "";
 }
 
-RecorderOptions recorder_options(const Simulation& simulation, const std::filesystem::path& folder) {
+RecorderOptions recorder_options(const Simulation& simulation, const RunOptions& run) {
   const Case& settings = simulation.settings;
   RecorderOptions options;
   options.dimension = simulation.dimension();
   options.degree = simulation.degree();
   options.plane_stress = settings.materials.begin()->second.plane == Plane::stress;
-  options.folder = folder;
+  options.folder = run.folder;
+  options.require_folder = run.require_folder;
   options.snapshot_times = settings.output.snapshot_times;
   for (const OutputField field : settings.output.fields) options.fields.push_back(field_name(field));
   for (const ProbeSettings& probe : settings.output.probes)
@@ -70,6 +73,11 @@ std::unique_ptr<FrontMarch> make_march(RunBooks& books, const std::filesystem::p
   return std::make_unique<FixedMarch>(books);
 }
 
+std::string other_build_warning(const RunBooks& books) {
+  return "resumed from a checkpoint of another build (" + books.builds[books.builds.size() - 2] +
+         "): the result may differ in some bits from that of an uninterrupted run.";
+}
+
 const Simulation& checked(const Simulation& simulation) {
   check_workload(simulation);
   check_probes(simulation);
@@ -95,7 +103,9 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool advance_until_stopped(const AdvanceOptions& options);
+  template <class Step>
+  auto saving_after_failure(const Step& step);
+  void hold_reserve();
   void save();
   std::string save_after_failure();
   void count_total_time();
@@ -107,6 +117,7 @@ class Run {
   TrafficCounters traffic_;
   Clock::time_point counted_ = Clock::now();  ///< up to here the total time is counted
   Clock::time_point last_save_ = Clock::now();
+  MemoryReserve reserve_;
   ElementStore store_;
   BatchRunner runner_;
   Recorder recorder_;
@@ -120,7 +131,7 @@ Run::Run(const Simulation& simulation, const RunOptions& options)
     : simulation_(checked(simulation)),
       options_(options),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
-      recorder_(recorder_options(simulation, options.folder)),
+      recorder_(recorder_options(simulation, options)),
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
@@ -131,37 +142,55 @@ void Run::open_folder() {
     options_.prepare_folder();
   else
     std::filesystem::create_directories(options_.folder);
-  if (options_.resume) load_checkpoint(*options_.resume, books_, *march_);
+  if (options_.resume) load_checkpoint(*options_.resume, books_, *march_, options_.any_build);
+  if (books_.builds.size() > 1) options_.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);
 }
 
+/// A step of the run; the message of a failure also says how to go on.
+template <class Step>
+auto Run::saving_after_failure(const Step& step) {
+  // The type decides about the exit code, so it stays.
+  try {
+    return step();
+  } catch (const FolderLost&) {
+    throw;  // no checkpoint: it would be written into another run's folder
+  } catch (const InputError& error) {
+    throw InputError(error.what() + save_after_failure());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(error.what() + save_after_failure());
+  } catch (const std::bad_alloc& error) {
+    throw std::runtime_error(out_of_memory_text(error) + save_after_failure());
+  }
+}
+
 bool Run::advance() {
+  hold_reserve();
   bool interrupted = false;
   AdvanceOptions advance;
   advance.max_patches = batch_size(simulation_.settings, options_.device);
   advance.check = options_.check;
   advance.after_batch = [&](double front_time) {
+    hold_reserve();
     options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), march_->num_cells()});
     interrupted = interrupted || options_.interrupted();
     return !interrupted && !checkpoint_is_due();
   };
-  while (!advance_until_stopped(advance)) {
+  while (!saving_after_failure([&] { return march_->advance(advance); })) {
     save();
     if (interrupted) return false;
   }
+  saving_after_failure([&] { ledger_.require_balance(); });
   return true;
 }
 
-/// The march; the message of a failure also says how to go on.
-bool Run::advance_until_stopped(const AdvanceOptions& options) {
-  // The type decides about the exit code, so it stays.
-  try {
-    return march_->advance(options);
-  } catch (const InputError& error) {
-    throw InputError(error.what() + save_after_failure());
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(error.what() + save_after_failure());
-  }
+/// What a checkpoint takes: elements below the front once as they come and once in the file's contents, output that
+/// waits, HDF5's buffers.
+void Run::hold_reserve() {
+  constexpr std::size_t buffers = 32 << 20;
+  const int d = simulation_.dimension() + 1;
+  const std::size_t row = simulation_.dimension() * num_polynomials(d, simulation_.degree()) + d * d;
+  reserve_.hold(buffers + 4 * row * sizeof(double) * march_->num_cells());
 }
 
 bool Run::checkpoint_is_due() const {
@@ -170,6 +199,7 @@ bool Run::checkpoint_is_due() const {
 }
 
 void Run::save() {
+  options_.require_folder();
   count_total_time();
   save_checkpoint(checkpoint_file(), options_.folder, books_, *march_);
   last_save_ = Clock::now();
@@ -215,6 +245,7 @@ RunSummary Run::summary() {
         std::to_string(summary.counts.dense_fallbacks) +
         " patches missed the residual tolerance and were solved by pivoted dense LU on the host. "
         "Check the mesh for very flat cells.");
+  if (books_.builds.size() > 1) summary.warnings.push_back(other_build_warning(books_));
   fill_stages(timer_, summary.stages);
   return summary;
 }
@@ -234,6 +265,7 @@ RunResult run_simulation(const Simulation& simulation, const RunOptions& options
   if (result.interrupted) {
     result.checkpoint = run.checkpoint_file();
   } else {
+    options.require_folder();
     write_run_summary(options.folder, result.summary);
     remove_checkpoint_file(run.checkpoint_file());
   }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "device/device.hpp"
 #include "host/output/run_summary.hpp"
@@ -27,8 +28,12 @@ struct RunOptions {
   std::function<void()> prepare_folder;
   bool check = false;                           ///< energy balance of every patch
   std::optional<std::filesystem::path> resume;  ///< checkpoint to go on from
+  bool any_build = false;                       ///< also from one that another build of the program wrote
   std::function<void(const Progress&)> report = [](const Progress&) {};
   std::function<bool()> interrupted = [] { return false; };
+  /// Called before anything is written to the folder; throws FolderLost if the folder is not the run's any more.
+  std::function<void()> require_folder = [] {};
+  std::function<void(const std::string&)> note = [](const std::string&) {};  ///< what the user should know at once
 };
 
 struct RunResult {
@@ -48,7 +53,9 @@ void prepare_run(const Simulation& simulation, const RunOptions& options);
 /// as the device computes alike); a run that reaches the end removes it. `folder` must then hold the output of the run
 /// that wrote the checkpoint. Throws std::runtime_error with place and time when a patch cannot be solved, InputError
 /// where an expression is not finite; the message says which checkpoint there is, and all finished output stays
-/// readable. Throws InputError for a checkpoint that is damaged or of a run with other settings.
+/// readable. Throws InputError for a checkpoint that is damaged, of a run with other settings, (unless any_build) of
+/// another build of the program, or whose output is gone; FolderLost, writing nothing any more, when the folder is
+/// deleted, replaced or taken by another run.
 RunResult run_simulation(const Simulation& simulation, const RunOptions& options);
 
 }  // namespace tentpole

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/case_file/case.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -196,7 +197,7 @@ TEST(Overrides, KeysAreQuotedAsInTheFileAndInMessages) {
 }
 
 TEST(ReadCase, MessagesQuoteKeysWhereTheFileMust) {
-  const std::string path = testing::TempDir() + "quoted_key.toml";
+  const std::string path = test_folder("case") / "quoted_key.toml";
   std::ifstream mesh_file(valid + "mesh_file.toml");
   std::ofstream(path) << mesh_file.rdbuf() << "[material.\"Probekörper Nº1\"]\ndensity = -1\n";
   try {

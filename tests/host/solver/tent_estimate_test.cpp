@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/host/command_line/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
 
-Simulation square(const TemporaryTestFolder& folder) {
+Simulation square(const TemporaryFolder& folder) {
   return make_simulation(read_case(folder.write("square.toml", R"(
 [domain]
 dimension = 2
@@ -35,7 +35,7 @@ degree = 2
 }
 
 TEST(TentEstimate, ExtrapolatesToWithinTenPercentFromATenthOfTheTents) {
-  const TemporaryTestFolder folder("tent_estimate");
+  const TemporaryFolder folder;
   const Simulation simulation = square(folder);
   const TentEstimate all = estimate_tents(simulation, 1'000'000);
   ASSERT_TRUE(all.is_exact);
@@ -46,7 +46,7 @@ TEST(TentEstimate, ExtrapolatesToWithinTenPercentFromATenthOfTheTents) {
 }
 
 TEST(TentEstimate, LargestPatchIsTheLargestStar) {
-  const TemporaryTestFolder folder("tent_estimate_star");
+  const TemporaryFolder folder;
   const Simulation simulation = square(folder);
   std::size_t largest = 0;
   for (int vertex = 0; vertex < simulation.mesh.num_vertices(); ++vertex)
