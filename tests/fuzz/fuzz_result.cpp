@@ -9,7 +9,7 @@
 
 #include "host/case_file/input_error.hpp"
 #include "host/command_line/commands.hpp"
-#include "host/command_line/quiet_hdf5.hpp"
+#include "host/command_line/prepare_hdf5.hpp"
 #include "host/command_line/result_difference.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 const fs::path& folder() {
   static const TemporaryFolder made;
   static const bool is_filled = [] {
-    keep_hdf5_quiet();
+    prepare_hdf5();
     for (const char* part : {"described", "first", "second"}) fs::create_directories(made.path() / part);
     std::ofstream(made.path() / "second" / "history.csv") << "time,kinetic\n0,1\n1,2\n";
     return true;
