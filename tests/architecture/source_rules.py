@@ -31,7 +31,7 @@ def files(root, suffixes, folders=None):
     """Files under the given folders (default: everywhere), without build products, results and this checker."""
     # Build folders are never entered: tests that run at the same time create and remove files there.
     for top in sorted(root.iterdir()):
-        if top.name.startswith((".git", "build", "result", "report")) or (folders and top.name not in folders):
+        if top.name.startswith((".git", ".gpu", "build", "gpu_out", "result", "report")) or (folders and top.name not in folders):
             continue
         for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
             parts = path.relative_to(root).parts
