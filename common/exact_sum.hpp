@@ -16,7 +16,7 @@ class ExactSum {
   ExactSum& operator+=(double term) {
     if (term == 0) return *this;
     if (!std::isfinite(term)) {
-      finite_ = false;
+      is_not_finite_ = 1;
       return *this;
     }
     const auto bits = std::bit_cast<std::uint64_t>(term);
@@ -41,13 +41,13 @@ class ExactSum {
     normalize();
     for (int i = 0; i < num_digits; ++i) digits_[i] += right.digits_[i];
     pending_ += 1;
-    finite_ = finite_ && right.finite_;
+    is_not_finite_ |= right.is_not_finite_;
     return *this;
   }
 
   /// The sum rounded to double; the same for every order of the same terms.
   double value() const {
-    if (!finite_) return std::nan("");
+    if (is_not_finite_ != 0) return std::nan("");
     ExactSum copy = *this;
     copy.normalize();
     const bool negative = copy.digits_[num_digits - 1] < 0;
@@ -58,6 +58,16 @@ class ExactSum {
     double result = 0;
     for (int i = num_digits - 1; i >= 0; --i) result += std::ldexp(static_cast<double>(copy.digits_[i]), 32 * i - 1074);
     return negative ? -result : result;
+  }
+
+  /// Whether the members are such as sums leave them: bytes of a file may hold any others, with which sums overflow.
+  bool is_sound() const {
+    if (pending_ < 0 || pending_ >= max_pending || (is_not_finite_ != 0 && is_not_finite_ != 1)) return false;
+    const std::int64_t largest = (pending_ + 2) << 32;  // every term adds less than 2^32 to a digit
+    for (int i = 0; i < num_digits - 1; ++i)
+      if (digits_[i] < -largest || digits_[i] > largest) return false;
+    const std::int64_t last = digits_[num_digits - 1];  // of carries alone
+    return last > -(std::int64_t{1} << 32) && last < std::int64_t{1} << 32;
   }
 
  private:
@@ -78,7 +88,7 @@ class ExactSum {
 
   std::array<std::int64_t, num_digits> digits_{};
   std::int64_t pending_ = 0;
-  bool finite_ = true;
+  std::int64_t is_not_finite_ = 0;  ///< 1 once a term was not
 };
 
 }  // namespace tentpole

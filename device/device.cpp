@@ -1,11 +1,11 @@
 #include "device/device.hpp"
 
 #include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 
 #include <omp.h>
 
+#include "device/free_memory.hpp"
 #include "device/gpu_driver.hpp"
 #include "device/target_runtime.hpp"
 #include "device/thread_choice.hpp"
@@ -50,18 +50,6 @@ void add_driver_facts(Device& device, int gpu) {
   if (gpu >= static_cast<int>(gpus.size())) return;
   device.name += ": " + gpus[gpu].name;
   device.num_multiprocessors = gpus[gpu].num_multiprocessors;
-}
-
-/// What the kernel thinks can be used without swapping.
-std::optional<std::int64_t> free_host_memory() {
-  std::ifstream lines("/proc/meminfo");
-  std::string name;
-  std::int64_t kibibytes = 0;
-  while (lines >> name >> kibibytes) {
-    if (name == "MemAvailable:") return 1024 * kibibytes;
-    lines.ignore(80, '\n');
-  }
-  return std::nullopt;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "host/adaptive/front_report.hpp"
 #include "host/adaptive/prepare_cracks.hpp"
 #include "host/adaptive/reference_energy.hpp"
+#include "host/adaptive/require_sound_state.hpp"
 #include "host/output/binary_stream.hpp"
 #include "host/solver/element_rows.hpp"
 
@@ -44,6 +45,33 @@ AdaptiveLimits make_limits(const Simulation& simulation) {
     limits.max_pole_height = settings.fracture.max_damage_step * settings.fracture.relaxation_time / scaling.time();
   }
   return limits;
+}
+
+/// Field by field: std::optional has no bytes that may be read back unseen.
+void write_triggers(std::ostream& stream, const std::vector<DefectTrigger>& triggers) {
+  write_value(stream, static_cast<std::int64_t>(triggers.size()));
+  for (const DefectTrigger& trigger : triggers) {
+    write_value(stream, trigger.position);
+    write_value(stream, trigger.normal);
+    write_value(stream, trigger.num_normals);
+    write_value(stream, static_cast<std::int32_t>(trigger.defect.has_value()));
+    write_value(stream, trigger.defect.value_or(DefectId{}));
+  }
+}
+
+std::vector<DefectTrigger> read_triggers(std::istream& stream) {
+  std::vector<DefectTrigger> triggers;
+  for (auto left = read_length(stream, sizeof(Point) + sizeof(DefectId)); left > 0; --left) {
+    DefectTrigger trigger{};
+    trigger.position = read_value<Point>(stream);
+    trigger.normal = read_value<std::array<PlaneNormal, 2>>(stream);
+    trigger.num_normals = read_value<int>(stream);
+    const bool has_defect = read_number(stream, std::int32_t{1}, "whether a defect has a name") == 1;
+    const DefectId defect = read_value<DefectId>(stream);
+    if (has_defect) trigger.defect = defect;
+    triggers.push_back(trigger);
+  }
+  return triggers;
 }
 
 }  // namespace
@@ -115,7 +143,7 @@ std::vector<std::int32_t> AdaptiveMarch::save(CheckpointContents& contents) cons
   write_vector(stream, state_.crack_mode);
   write_vector(stream, state_.memory);
   write_vector(stream, state_.pending);
-  write_vector(stream, state_.triggers);
+  write_triggers(stream, state_.triggers);
   write_vector(stream, state_.growths);
   write_vector(stream, std::vector<DefectId>(state_.spent.begin(), state_.spent.end()));
   write_value(stream, state_.first_nucleation);
@@ -138,7 +166,7 @@ std::vector<std::int32_t> AdaptiveMarch::load(const CheckpointContents& contents
   state_.crack_mode = read_vector<CrackMode>(stream);
   state_.memory = read_vector<VertexMemory>(stream);
   state_.pending = read_vector<PendingSplit>(stream);
-  state_.triggers = read_vector<DefectTrigger>(stream);
+  state_.triggers = read_triggers(stream);
   state_.growths = read_vector<CrackGrowth>(stream);
   const std::vector<DefectId> spent = read_vector<DefectId>(stream);
   state_.spent = {spent.begin(), spent.end()};
@@ -147,16 +175,10 @@ std::vector<std::int32_t> AdaptiveMarch::load(const CheckpointContents& contents
   state_.counts = read_value<AdaptiveCounts>(stream);
   state_.edges = read_value<EdgeRange>(stream);
   cracks_.load(stream);
+  require_sound(stream, bytes_left(stream) == 0, "bytes are left over");
+  require_sound_state(state_);
   const std::size_t num_slots = state_.front.mesh().num_cell_slots();
-  bool fits = contents.cell_element.size() == num_slots && contents.cell_facet.size() == num_slots;
-  std::int32_t num_rows = 0;
-  for (std::size_t cell = 0; fits && cell < num_slots; ++cell) {
-    num_rows = std::max(num_rows, contents.cell_element[cell] + 1);
-    fits = contents.cell_element[cell] >= none && contents.cell_facet[cell] >= 0 &&
-           contents.cell_facet[cell] < num_facet_tables(state_.front.mesh().dimension());
-  }
-  if (!fits) throw std::runtime_error("its arrays do not fit together");
-  std::vector<std::int32_t> slots(num_rows, none);
+  std::vector<std::int32_t> slots(num_element_rows(contents, num_slots, state_.front.mesh().dimension()), none);
   state_.sources.facet = contents.cell_facet;
   state_.sources.slot.assign(num_slots, none);
   for (std::size_t cell = 0; cell < num_slots; ++cell) {

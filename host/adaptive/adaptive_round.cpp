@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "device/work_queue.hpp"
+#include "host/solver/energy_balance.hpp"
 
 namespace tentpole {
 namespace {
@@ -60,12 +61,14 @@ AdaptiveRound solve_round(AdaptiveState& state, PatchWriter& writer, int max_pat
       queue.submit([&] { state.books.runner.run(batch); });
     }
     queue.wait();
+    double energy_scale = state.books.ledger.energy_scale();
+    for (const HostBatch& batch : round.batches) raise_energy_scale(energy_scale, batch);
+    for (RoundPatch& patch : round.patches)
+      patch.verdict = judge_patch(state, patch.plan, round.batch_of(patch), patch.patch, energy_scale);
   } catch (...) {
     give_up_round(state, round);
     throw;
   }
-  for (RoundPatch& patch : round.patches)
-    patch.verdict = judge_patch(state, patch.plan, round.batch_of(patch), patch.patch);
   return round;
 }
 

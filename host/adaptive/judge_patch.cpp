@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/solver/energy_balance.hpp"
+
 namespace tentpole {
 namespace {
 
@@ -61,13 +63,18 @@ void judge_damage(const AdaptiveState& state, const PatchPlan& plan, const HostB
 
 }  // namespace
 
-PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch_index) {
+PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch_index,
+                         double energy_scale) {
   const PatchDescriptor& patch = batch.patches[patch_index];
   PatchVerdict verdict;
-  if (static_cast<Status>(batch.records[patch.first_element].status) != Status::ok) {
+  const Simulation& simulation = state.books.simulation;
+  const bool is_solved = static_cast<Status>(batch.records[patch.first_element].status) == Status::ok;
+  // A deletion or flip can be left undone; a tent whose energies are wrong would be wrong again.
+  if (!is_solved || (!is_tent(plan) && !is_balanced(batch, patch_index, energy_scale, simulation))) {
     retry_failed(state, plan, verdict);
     return verdict;
   }
+  require_balance(batch, patch_index, energy_scale, simulation);
   if (state.has_refinement()) judge_dissipation(state, plan, batch, patch, verdict);
   judge_damage(state, plan, batch, patch, verdict);
   return verdict;

@@ -22,7 +22,10 @@ struct PatchVerdict {
 };
 
 /// Judges patch number `patch` of a solved batch by the status of the kernel, the numerical dissipation of its elements
-/// (with [adaptivity]) and the change of damage (max_damage_step).
-PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch);
+/// (with [adaptivity]) and the change of damage (max_damage_step). Throws std::runtime_error with place and time for a
+/// tent whose energies are not balanced (host/solver/energy_balance.hpp); nothing may be committed then.
+/// `energy_scale`: PatchEnergies::largest over all patches so far, those of this round too.
+PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, const HostBatch& batch, int patch,
+                         double energy_scale);
 
 }  // namespace tentpole

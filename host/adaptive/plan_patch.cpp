@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
 
 namespace tentpole {
 namespace {
@@ -44,6 +46,19 @@ std::optional<FlipPlan> best_flip(const AdaptiveFront& front, std::int32_t verte
   return best;
 }
 
+[[noreturn]] void fail_flat(const AdaptiveState& state, std::int32_t vertex) {
+  const Scaling& scaling = state.books.simulation.scaling;
+  const Point& position = state.front.mesh().position(vertex);
+  char text[300];
+  std::snprintf(
+      text, sizeof text,
+      "tent at (%.6g, %.6g) m, t = %.6g s: its height, at most %.3g s where damage grows, is lost in the rounding "
+      "of the time. Raise \"fracture.relaxation_time\" or \"fracture.max_damage_step\".",
+      position[0] * scaling.length, position[1] * scaling.length, state.front.time(vertex) * scaling.time(),
+      state.limits.max_pole_height * scaling.time());
+  throw std::runtime_error(text);
+}
+
 double tent_top(const AdaptiveState& state, std::int32_t vertex) {
   const double bottom = state.front.time(vertex);
   const bool is_still = state.memory[vertex].dissipation < still_dissipation && !is_near_active_crack(state, vertex);
@@ -51,6 +66,7 @@ double tent_top(const AdaptiveState& state, std::int32_t vertex) {
                                          is_still ? Pitch::full : Pitch::gentle);
   if (touches_active_crack(state, vertex)) top = std::min(top, bottom + state.limits.max_pole_height);
   if (state.memory[vertex].halvings > 0) top = shortened(bottom, top, state.memory[vertex].halvings);
+  if (!(top > bottom)) fail_flat(state, vertex);
   return top;
 }
 

@@ -20,7 +20,7 @@ struct PatchPlan {
 
 /// The operation at a local minimum: deletion where the solution needs fewer cells, a flip or a moved pole where cells
 /// are badly shaped and `front.smoothing` is set, otherwise a vertical tent. Poles on a crack whose damage grows are
-/// cut to max_pole_height. Does not change the front.
+/// cut to max_pole_height. Does not change the front. Throws std::runtime_error where a pole has no height left.
 PatchPlan plan_patch(const AdaptiveState& state, std::int32_t vertex);
 
 }  // namespace tentpole

@@ -12,6 +12,7 @@
 #include "host/mesh/mesh_error.hpp"
 #include "host/mesh/printable.hpp"
 #include "host/output/machine_info.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -22,7 +23,7 @@ constexpr int failed = 1, bad_input = 2;
 struct Arguments {
   RunCommand run;
   CompareCommand compare;
-  CaseOptions check;
+  CheckCommand check;
   std::filesystem::path described;
   ModelCommand model;
   std::optional<std::filesystem::path> calibrate;
@@ -45,16 +46,29 @@ void add_device_option(CLI::App& command, std::optional<int>& device, const std:
   command.add_option("--device", device, description)->type_name("N");
 }
 
+void add_offload_options(CLI::App& command, bool& offload, std::optional<int>& device) {
+  command.add_flag("--offload", offload, "solve on an OpenMP device: a GPU, or else the virtual device");
+  add_device_option(command, device, "the device with this number in `tentpole devices`; implies --offload");
+}
+
 void add_run(CLI::App& app, RunCommand& command) {
   CLI::App* run = app.add_subcommand("run", "solve a case and write its result folder");
   add_case_options(*run, command.input);
   run->add_option("--out", command.out, "result folder (default: result_CASE); an older one is moved to DIR.1")
       ->type_name("DIR");
-  run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
-  run->add_flag("--offload", command.offload, "solve on an OpenMP device: a GPU, or else the virtual device");
-  add_device_option(*run, command.device, "the device with this number in `tentpole devices`; implies --offload");
+  CLI::Option* resume =
+      run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
+  run->add_flag("--force", command.force, "resume also from a checkpoint that another build of the program wrote")
+      ->needs(resume);
+  add_offload_options(*run, command.offload, command.device);
   run->add_flag("--check", command.check, "verify the energy balance of every patch");
   run->add_flag("--quiet", command.quiet, "print notes, warnings and errors only");
+}
+
+void add_check(CLI::App& app, CheckCommand& command) {
+  CLI::App* check = app.add_subcommand("check", "validate a case and say what would run");
+  add_case_options(*check, command.input);
+  add_offload_options(*check, command.offload, command.device);
 }
 
 void add_compare(CLI::App& app, CompareCommand& command) {
@@ -142,7 +156,7 @@ int dispatch(int argc, char** argv) {
   describe_program(app);
   Arguments arguments;
   add_run(app, arguments.run);
-  add_case_options(*app.add_subcommand("check", "validate a case and say what would run"), arguments.check);
+  add_check(app, arguments.check);
   add_compare(app, arguments.compare);
   add_devices(app, arguments);
   app.add_subcommand("info", "describe a result folder, or a .json, .csv, .vtkhdf or .h5 file of one")
@@ -180,8 +194,8 @@ int run_command_line(int argc, char** argv) {
   } catch (const MeshError& error) {
     std::cerr << printable_lines(error.what()) << "\n";
     return bad_input;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "out of memory. `tentpole check` says what a case needs; give fewer cells or a lower degree.\n";
+  } catch (const std::bad_alloc& error) {
+    std::cerr << out_of_memory_text(error) << "\n";
     return failed;
   } catch (const std::exception& error) {
     std::cerr << "the run failed: " << printable_lines(error.what()) << "\n";

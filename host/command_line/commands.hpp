@@ -17,6 +17,7 @@ struct RunCommand {
   CaseOptions input;
   std::optional<std::filesystem::path> out;     ///< result folder
   std::optional<std::filesystem::path> resume;  ///< checkpoint
+  bool force = false;                           ///< also one of another build
   bool offload = false;
   std::optional<int> device;
   bool check = false;
@@ -24,7 +25,13 @@ struct RunCommand {
 };
 int run_command(const RunCommand& command);
 
-int check_command(const CaseOptions& input);
+/// Everything that `run` with the same options does before its first patch.
+struct CheckCommand {
+  CaseOptions input;
+  bool offload = false;
+  std::optional<int> device;
+};
+int check_command(const CheckCommand& command);
 
 struct CompareCommand {
   CaseOptions input;

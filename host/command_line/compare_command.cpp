@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -47,16 +48,19 @@ class TemporaryFolder {
 
 RunResult run_on(const Simulation& simulation, const Device& device, const CompareCommand& command,
                  const fs::path& folder, const Interrupt& interrupt) {
-  const PreparedFolder prepared = prepare_result_folder(folder);
-  if (prepared.moved_aside)
-    std::cerr << "note: the older result in " << printable(folder.string()) << " is now in "
-              << printable(prepared.moved_aside->string()) << "\n";
-  std::cout << "running on " << device.name << "\n" << std::flush;
   RunOptions options;
   options.device = device;
   options.threads = choose_threads(command.input).threads;
-  options.folder = prepared.path;
-  options.require_folder = [&] { prepared.lock.require(); };
+  options.folder = folder;
+  std::optional<PreparedFolder> prepared;
+  options.prepare_folder = [&] {
+    prepared.emplace(prepare_result_folder(folder));
+    if (prepared->moved_aside)
+      std::cerr << "note: the older result in " << printable(folder.string()) << " is now in "
+                << printable(prepared->moved_aside->string()) << "\n";
+    std::cout << "running on " << device.name << "\n" << std::flush;
+  };
+  options.require_folder = [&] { prepared->lock.require(); };
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   options.report = [&](const Progress& now) { progress.update(now); };
   options.interrupted = [&] { return interrupt.requested(); };

@@ -26,13 +26,17 @@ std::string value_text(const Json& value) {
   if (value.is_number_integer()) return count_text(value.get<std::int64_t>());
   if (value.is_number()) return short_number(value.get<double>());
   if (value.is_array()) return count_text(std::ssize(value)) + " in summary.json";
-  return value.dump();
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+/// Deeper parts of a summary are left out: no run writes them, and they would take as deep a stack.
+constexpr int deepest = 16;
 
 /// The top level first, then each section under its name.
 void describe_summary(const fs::path& file) {
   std::ifstream stream(file);
-  const Json summary = Json::parse(stream, nullptr, false);
+  const Json summary = Json::parse(
+      stream, [](int depth, Json::parse_event_t, const Json&) { return depth <= deepest; }, false);
   if (!summary.is_object()) throw InputError(file.string() + ": is not JSON, so it is no summary of a run.");
   Rows top;
   for (const auto& [name, value] : summary.items())

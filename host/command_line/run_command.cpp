@@ -1,4 +1,5 @@
 #include <iostream>
+#include <optional>
 
 #include "host/command_line/commands.hpp"
 #include "host/command_line/interrupt.hpp"
@@ -15,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A resumed run goes on in the folder of its checkpoint, where its unfinished files are.
-PreparedFolder resumed_folder(const RunCommand& command) {
+fs::path resumed_folder(const RunCommand& command) {
   const fs::path& checkpoint = *command.resume;
   if (!fs::is_regular_file(checkpoint))
     throw InputError("--resume: there is no checkpoint " + checkpoint.string() +
@@ -24,13 +25,17 @@ PreparedFolder resumed_folder(const RunCommand& command) {
   if (command.out && !(fs::exists(*command.out) && fs::equivalent(*command.out, folder)))
     throw InputError("--out " + command.out->string() + ": a resumed run goes on in the folder of its checkpoint, " +
                      folder.string() + ". Leave out --out.");
-  return reopen_result_folder(folder);
+  return folder;
 }
 
-PreparedFolder ready_folder(const RunCommand& command) {
+fs::path result_folder(const RunCommand& command) {
   if (command.resume) return resumed_folder(command);
-  PreparedFolder folder =
-      prepare_result_folder(command.out ? *command.out : default_result_folder(command.input.case_file));
+  return command.out ? *command.out : default_result_folder(command.input.case_file);
+}
+
+PreparedFolder ready_folder(const RunCommand& command, const fs::path& path) {
+  if (command.resume) return reopen_result_folder(path);
+  PreparedFolder folder = prepare_result_folder(path);
   if (folder.moved_aside)
     std::cerr << "note: the older result in " << printable(folder.path.string()) << " is now in "
               << printable(folder.moved_aside->string()) << "\n";
@@ -78,11 +83,16 @@ int run_command(const RunCommand& command) {
   options.threads = threads.threads;
   options.check = command.check;
   options.resume = command.resume;
-  const PreparedFolder folder = ready_folder(command);
-  options.folder = folder.path;
-  options.require_folder = [&] { folder.lock.require(); };
+  options.any_build = command.force;
+  options.note = [](const std::string& text) { std::cerr << "note: " << printable_lines(text) << "\n"; };
+  options.folder = result_folder(command);
+  std::optional<PreparedFolder> folder;
+  options.prepare_folder = [&] {
+    folder.emplace(ready_folder(command, options.folder));
+    if (!command.quiet) std::cout << header_text(simulation, options.device, threads) << std::flush;
+  };
+  options.require_folder = [&] { folder->lock.require(); };
   const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
-  if (!command.quiet) std::cout << header_text(simulation, options.device, threads) << std::flush;
 
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   double front_time = 0;

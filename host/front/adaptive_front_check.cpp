@@ -40,7 +40,8 @@ void AdaptiveFront::check() const {
   for (int index = 0; index < cracks_.size(); ++index) {
     if (cracks_.is_retired(index)) continue;
     const auto [a, b] = cracks_.edge(index);
-    const bool exists = a == b ? mesh_.star(a).size() == 2 : mesh_.cells_with(a, b).size == 2;
+    const bool exists =
+        mesh_.dimension() == 1 ? a == b && mesh_.star(a).size() == 2 : a != b && mesh_.cells_with(a, b).size == 2;
     if (!exists) throw std::runtime_error("front, crack edge " + std::to_string(index) + ": it is no edge of the mesh");
   }
 }

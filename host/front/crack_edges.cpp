@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <istream>
 #include <ostream>
-#include <stdexcept>
+#include <string>
 
 #include "host/output/binary_stream.hpp"
 #include "kernels/patch_batch.hpp"
@@ -52,12 +52,17 @@ void CrackEdges::save(std::ostream& stream) const {
 void CrackEdges::load(std::istream& stream, int num_vertices) {
   CrackEdges other;
   other.edges_ = read_vector<Edge>(stream);
+  for (const Edge& edge : other.edges_)
+    require_sound(stream, edge[0] >= 0 && edge[0] <= edge[1] && edge[1] < num_vertices,
+                  "a crack edge runs from vertex " + std::to_string(edge[0]) + " to vertex " + std::to_string(edge[1]) +
+                      "; the front has " + std::to_string(num_vertices));
+  std::int32_t last = none;
   for (const std::int32_t index : read_vector<std::int32_t>(stream)) {
-    const bool is_known = index >= 0 && index < other.size();
-    if (!is_known || other.edges_[index][0] < 0 || other.edges_[index][1] < other.edges_[index][0] ||
-        other.edges_[index][1] >= num_vertices)
-      throw std::runtime_error("the cracks in the checkpoint are damaged");
+    require_sound(stream, index > last && index < other.size(), "the crack edges in use do not ascend or do not exist");
+    const Edge& edge = other.edges_[index];
+    require_sound(stream, other.find(edge[0], edge[1]) == none, "two crack edges in use are the same");
     other.insert(index);
+    last = index;
   }
   *this = std::move(other);
 }

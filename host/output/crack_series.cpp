@@ -1,5 +1,7 @@
 #include "host/output/crack_series.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -25,6 +27,13 @@ void write_series_file(const CrackSeries::Options& options, int num_written) {
   write_series(options.folder / "cracks.vtkhdf.series", entries);
 }
 
+bool is_sound(const CrackSegment& segment) {
+  const bool has_mode =
+      segment.mode == CrackMode::open || segment.mode == CrackMode::stick || segment.mode == CrackMode::slip;
+  return has_mode && std::all_of(segment.damage.begin(), segment.damage.begin() + segment.num_points,
+                                 [](double damage) { return std::isfinite(damage); });
+}
+
 }  // namespace
 
 CrackSeries::CrackSeries(Options options) : options_(std::move(options)), segments_(options_.times.size()) {
@@ -32,7 +41,6 @@ CrackSeries::CrackSeries(Options options) : options_(std::move(options)), segmen
   if (options_.dimension != 1 && options_.dimension != 2)
     throw std::invalid_argument("cracks are written in one and two dimensions, not in " +
                                 std::to_string(options_.dimension));
-  std::filesystem::create_directories(options_.folder);
 }
 
 void CrackSeries::add(int index, const CrackSegment& segment) {
@@ -62,12 +70,18 @@ void CrackSeries::save(std::ostream& stream) const {
 }
 
 void CrackSeries::load(std::istream& stream) {
-  const int num_written = read_value<int>(stream);
+  const int num_written = read_number(stream, static_cast<int>(times().size()), "the number of written crack files");
   const auto num_times = read_value<std::size_t>(stream);
-  if (num_times != times().size() || num_written < 0 || num_written > static_cast<int>(num_times))
+  if (num_times != times().size())
     throw std::runtime_error("the checkpoint has " + std::to_string(num_times) + " crack files and the case " +
                              std::to_string(times().size()) + "; resume with the case file of the checkpoint");
-  for (std::vector<CrackSegment>& segments : segments_) segments = read_vector<CrackSegment>(stream);
+  for (std::vector<CrackSegment>& segments : segments_) {
+    segments = read_vector<CrackSegment>(stream);
+    for (const CrackSegment& segment : segments) {
+      check_segment(segment, options_.dimension);
+      require_sound(stream, is_sound(segment), "a crack segment has an unknown mode, or damage that is not finite");
+    }
+  }
   num_written_ = num_written;
 }
 

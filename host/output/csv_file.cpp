@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -22,7 +23,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 }  // namespace
 
 CsvFile::CsvFile(std::filesystem::path file, std::string header)
-    : file_(std::move(file)), header_(std::move(header)), folder_(identity_of(folder_of(file_))) {}
+    : file_(std::move(file)), header_(std::move(header)) {}
 
 void CsvFile::append(std::string_view lines) {
   std::string text = num_bytes_ == 0 ? header_ + "\n" : std::string();
@@ -77,7 +78,7 @@ void CsvFile::save(std::ostream& stream) const {
 }
 
 void CsvFile::load(std::istream& stream) {
-  num_bytes_ = read_value<std::int64_t>(stream);
+  num_bytes_ = read_number(stream, std::numeric_limits<std::int64_t>::max(), "the length of a table");
 }
 
 void CsvFile::add_written(WrittenFiles& files) const {

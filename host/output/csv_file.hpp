@@ -39,8 +39,8 @@ class CsvFile {
   std::filesystem::path file_;
   std::string header_;
   std::int64_t num_bytes_ = 0;
-  std::optional<FileIdentity> folder_;    ///< where the table was made or, if it had no folder then, first written
-  std::optional<FileIdentity> identity_;  ///< of the file, from the first append on
+  std::optional<FileIdentity> folder_;    ///< of the file, from the first append on
+  std::optional<FileIdentity> identity_;  ///< of the file, likewise
 };
 
 /// Adds the shortest decimal number that reads back as `value`.

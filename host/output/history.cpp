@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -32,14 +33,26 @@ struct FlowSums {
     fracture += other.fracture;
     friction += other.friction;
   }
+  bool is_sound() const {
+    return external_work.is_sound() && numerical.is_sound() && fracture.is_sound() && friction.is_sound();
+  }
 };
 
 struct SurfaceSums {
   ExactSum length, failed, damage;  ///< measures; of what has failed; times mean damage
   double damage_max = 0;
+
+  bool is_sound() const {
+    return length.is_sound() && failed.is_sound() && damage.is_sound() && std::isfinite(damage_max);
+  }
 };
 
 using EventCounts = std::array<std::int64_t, 4>;
+
+/// Whether sums of them stay counts.
+bool are_counts(const EventCounts& events) {
+  return std::ranges::all_of(events, [](std::int64_t count) { return count >= 0 && count < std::int64_t{1} << 40; });
+}
 
 struct Row {
   ExactSum kinetic, strain;
@@ -47,6 +60,11 @@ struct Row {
   EventCounts events{};  ///< since the row before
   FlowSums partial;      ///< shares of flows that this row cuts
   FlowSums complete;     ///< flows that are complete at this row and not at the row before
+
+  bool is_sound() const {
+    return kinetic.is_sound() && strain.is_sound() && surfaces.is_sound() && are_counts(events) && partial.is_sound() &&
+           complete.is_sound();
+  }
 };
 
 }  // namespace
@@ -82,7 +100,6 @@ std::string History::Impl::line(int index, const FlowSums& cumulative, const Fro
 
 History::History(const std::filesystem::path& folder, double interval, double end) {
   std::vector<double> times = times_at_interval(interval, end);
-  std::filesystem::create_directories(folder);
   impl_ = std::make_unique<Impl>(Impl{.file = CsvFile(folder / "history.csv", header),
                                       .times = times,
                                       .rows = std::vector<Row>(times.size()),
@@ -94,6 +111,10 @@ History::History(const std::filesystem::path& folder, double interval, double en
 History::~History() = default;
 History::History(History&&) noexcept = default;
 History& History::operator=(History&&) noexcept = default;
+
+std::size_t History::bytes_per_row() {
+  return sizeof(Row) + sizeof(double);
+}
 
 const std::vector<double>& History::times() const {
   return impl_->times;
@@ -169,9 +190,10 @@ void History::save(std::ostream& stream) const {
 
 void History::load(std::istream& stream) {
   impl_->file.load(stream);
-  impl_->num_written = read_value<int>(stream);
+  impl_->num_written = read_number(stream, static_cast<int>(impl_->rows.size()), "the number of written rows");
   impl_->passed = read_value<FlowSums>(stream);
   impl_->events = read_value<EventCounts>(stream);
+  require_sound(stream, are_counts(impl_->events), "a count of events is out of its range");
   std::vector<Row> rows = read_vector<Row>(stream);
   if (rows.size() != impl_->rows.size())
     throw std::runtime_error("the checkpoint has " + std::to_string(rows.size()) + " history rows and the case " +

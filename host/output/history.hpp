@@ -45,6 +45,9 @@ class History {
   History(History&&) noexcept;
   History& operator=(History&&) noexcept;
 
+  /// Memory that every row takes from the beginning to the end of a run.
+  static std::size_t bytes_per_row();
+
   const std::vector<double>& times() const;
 
   /// The rows that an element with this time range covers.

@@ -2,7 +2,9 @@
 
 #include <fstream>
 
+#include <gnu/libc-version.h>
 #include <sched.h>
+#include <source_revision.hpp>
 #include <sys/resource.h>
 
 namespace tentpole {
@@ -29,6 +31,20 @@ std::int64_t peak_resident_bytes() {
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;  // Linux reports KiB
 }
 
+std::string instructions() {
+#if defined(__AVX512F__)
+  std::string text = "512-bit vectors";
+#elif defined(__AVX__)
+  std::string text = "256-bit vectors";
+#else
+  std::string text = "128-bit vectors";
+#endif
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+  text += ", fused multiply-add";
+#endif
+  return text;
+}
+
 }  // namespace
 
 MachineInfo machine_info() {
@@ -41,7 +57,14 @@ BuildInfo build_info() {
 #else
   const std::string compiler = "g++ " __VERSION__;
 #endif
-  return {TENTPOLE_VERSION, TENTPOLE_GIT_REVISION, compiler, TENTPOLE_BUILD_TYPE, TENTPOLE_ARCHITECTURE};
+  return {TENTPOLE_VERSION,    TENTPOLE_GIT_REVISION, TENTPOLE_SOURCE_DIGEST, compiler,
+          TENTPOLE_BUILD_TYPE, TENTPOLE_ARCHITECTURE, instructions()};
+}
+
+std::string build_identity() {
+  const BuildInfo build = build_info();
+  return "tentpole " + build.version + ", sources " + build.source_digest + ", " + build.compiler + ", " + build.type +
+         ", " + build.architecture + " with " + build.instructions + ", C library " + gnu_get_libc_version();
 }
 
 }  // namespace tentpole

@@ -16,11 +16,16 @@ MachineInfo machine_info();
 /// How the program was built.
 struct BuildInfo {
   std::string version;
-  std::string git_revision;  ///< at configuration time; "unknown" outside a repository
+  std::string git_revision;   ///< "unknown" outside a repository
+  std::string source_digest;  ///< of the sources that decide what the program computes
   std::string compiler;
   std::string type;          ///< CMake build type
   std::string architecture;  ///< value of -march
+  std::string instructions;  ///< what of it decides how sums round: "512-bit vectors, fused multiply-add"
 };
 BuildInfo build_info();
+
+/// All that decides the bits of a result beside the case, on one line: two programs with the same text go the same way.
+std::string build_identity();
 
 }  // namespace tentpole

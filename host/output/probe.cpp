@@ -74,7 +74,7 @@ void Probe::record(const SpacetimeElement& element, const ElementFields& fields)
     const auto point = std::span<const double>(event).first(dimension_ + 1);
     Sample& sample = samples_[index];
     if (sample.present && std::tie(sample.place, sample.id) < std::tie(place, element.id)) continue;
-    if (contains(fields, dimension_, point)) sample = {place, element.id, true, fields.at(point)};
+    if (contains(fields, dimension_, point)) sample = {place, element.id, 1, fields.at(point)};
   }
 }
 
@@ -121,7 +121,7 @@ void Probe::save(std::ostream& stream) const {
 
 void Probe::load(std::istream& stream) {
   file_.load(stream);
-  num_written_ = read_value<int>(stream);
+  num_written_ = read_number(stream, static_cast<int>(samples_.size()), "the number of written samples");
   std::vector<Sample> samples = read_vector<Sample>(stream);
   if (samples.size() != samples_.size())
     throw std::runtime_error("probe \"" + options_.name + "\": the checkpoint has " + std::to_string(samples.size()) +

@@ -28,6 +28,9 @@ class Probe {
   /// Throws std::invalid_argument for times out of order or a name that cannot be part of a file name.
   Probe(int dimension, const std::filesystem::path& folder, ProbeOptions options);
 
+  /// Memory that every sample time takes from the beginning to the end of a run.
+  static constexpr std::size_t bytes_per_row() { return sizeof(Sample) + sizeof(double); }
+
   const std::string& name() const { return options_.name; }
 
   /// Whether an element with this time range and bounding box [D] may contain the point at a sample time.
@@ -47,8 +50,10 @@ class Probe {
   struct Sample {
     std::array<double, 4> place{};  ///< centroid of the element it is from
     std::int64_t id = 0;
-    bool present = false;
+    std::uint8_t present = 0;
     PointFields fields;
+
+    bool is_sound() const { return present <= 1; }
   };
 
   std::string row(double time, const PointFields& fields) const;

@@ -34,7 +34,6 @@ Recorder::Recorder(RecorderOptions options) {
   for (const ProbeOptions& probe : options.probes)
     if (!names.insert(probe.name).second)
       throw std::invalid_argument("two probes are called \"" + probe.name + "\"; names must differ");
-  std::filesystem::create_directories(options.folder);
   impl_ = std::make_unique<Impl>(Impl{.basis = OrthonormalBasis(options.dimension + 1, options.degree),
                                       .snapshots = SnapshotSeries(snapshot_options(options)),
                                       .probes = {},

@@ -17,7 +17,7 @@ struct RecorderOptions {
   int dimension = 0;
   int degree = 0;
   bool plane_stress = false;           ///< D = 2: the out-of-plane stress is 0 instead of lambda tr E
-  std::filesystem::path folder;        ///< created if absent
+  std::filesystem::path folder;        ///< must exist when the first file is written
   std::vector<double> snapshot_times;  ///< [s], ascending
   /// Among displacement, velocity, stress, strain_energy_density, and damage, which is one value per element.
   std::vector<std::string> fields;

@@ -135,7 +135,11 @@ void add_machine(Json& json) {
   const BuildInfo build = build_info();
   json["machine"] = {
       {"processor", machine.processor}, {"cores", machine.cores}, {"peak_resident_bytes", machine.peak_resident_bytes}};
-  json["build"] = {{"compiler", build.compiler}, {"type", build.type}, {"architecture", build.architecture}};
+  json["build"] = {{"compiler", build.compiler},
+                   {"type", build.type},
+                   {"architecture", build.architecture},
+                   {"instructions", build.instructions},
+                   {"source_digest", build.source_digest}};
 }
 
 }  // namespace

@@ -69,6 +69,9 @@ void append_piece(const SnapshotPiece& piece, std::int64_t number, UnstructuredG
   append_point_data(piece, grid.point_data);
 }
 
+/// Bytes of a piece without points, less than any takes.
+constexpr std::size_t smallest_piece = 8 * sizeof(double);
+
 void save_piece(std::ostream& stream, const SnapshotPiece& piece) {
   write_value(stream, piece.place);
   write_value(stream, piece.id);
@@ -80,16 +83,37 @@ void save_piece(std::ostream& stream, const SnapshotPiece& piece) {
   write_vector(stream, piece.values);
 }
 
-SnapshotPiece load_piece(std::istream& stream) {
+bool is_shape(SliceShape shape) {
+  switch (shape) {
+    case SliceShape::segment:
+    case SliceShape::triangle:
+    case SliceShape::quad:
+    case SliceShape::tetrahedron:
+    case SliceShape::wedge:
+      return true;
+  }
+  return false;
+}
+
+/// `num_values`: per point.
+SnapshotPiece load_piece(std::istream& stream, std::size_t num_values) {
   SnapshotPiece piece;
   piece.place = read_value<std::array<double, 4>>(stream);
   piece.id = read_value<std::int64_t>(stream);
   piece.region = read_value<std::int64_t>(stream);
   piece.damage = read_value<double>(stream);
   piece.cells.shape = read_value<SliceShape>(stream);
+  require_sound(stream, is_shape(piece.cells.shape), "a slice has an unknown shape");
   piece.cells.points = read_vector<std::array<double, 3>>(stream);
   piece.cells.connectivity = read_vector<int>(stream);
   piece.values = read_vector<double>(stream);
+  const auto num_points = static_cast<std::int64_t>(piece.cells.points.size());
+  require_sound(stream, piece.cells.connectivity.size() % num_corners(piece.cells.shape) == 0, "a cell lacks corners");
+  for (const int corner : piece.cells.connectivity)
+    require_sound(
+        stream, corner >= 0 && corner < num_points,
+        "corner " + std::to_string(corner) + " of a cell is none of " + std::to_string(num_points) + " points");
+  require_sound(stream, piece.values.size() == num_points * num_values, "a piece of a snapshot lacks values");
   return piece;
 }
 
@@ -175,14 +199,17 @@ void SnapshotSeries::save(std::ostream& stream) const {
 }
 
 void SnapshotSeries::load(std::istream& stream) {
-  num_written_ = read_value<int>(stream);
+  num_written_ = read_number(stream, static_cast<int>(options_.times.size()), "the number of written snapshots");
   const auto num_times = read_value<std::size_t>(stream);
   if (num_times != options_.times.size())
     throw std::runtime_error("the checkpoint has " + std::to_string(num_times) + " snapshot times and the case " +
                              std::to_string(options_.times.size()) + "; resume with the case file of the checkpoint");
+  std::size_t num_values = 0;
+  for (const std::string& name : options_.fields) num_values += find_field(name).num_components;
   for (auto& pieces : pieces_) {
     pieces.clear();
-    for (auto left = read_value<std::size_t>(stream); left > 0; --left) pieces.push_back(load_piece(stream));
+    for (auto left = read_length(stream, smallest_piece); left > 0; --left)
+      pieces.push_back(load_piece(stream, num_values));
   }
 }
 

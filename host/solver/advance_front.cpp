@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "device/work_queue.hpp"
+#include "host/solver/energy_balance.hpp"
 #include "host/solver/take_back.hpp"
 
 namespace tentpole {
@@ -12,6 +13,14 @@ void build(SolverState& state, HostBatch& batch, int max_patches) {
   ScopedStage stage(state.books.timer, Stage::meshing);
   state.builder.build(batch, max_patches);
   state.books.ledger.mark_wanted(batch);
+}
+
+/// An unsound solution is no part of the books: what throws here is taken back.
+void solve(SolverState& state, HostBatch& batch, double& energy_scale) {
+  state.books.runner.run(batch);
+  raise_energy_scale(energy_scale, batch);
+  for (int patch = 0; patch < std::ssize(batch.patches); ++patch)
+    require_balance(batch, patch, energy_scale, state.books.simulation);
 }
 
 void commit(SolverState& state, const HostBatch& batch, bool check) {
@@ -34,6 +43,7 @@ struct Pipeline {
 
 bool advance(SolverState& state, const AdvanceOptions& options, Pipeline& pipeline) {
   auto& [pitched, running, solved] = pipeline;
+  double energy_scale = state.books.ledger.energy_scale();
   WorkQueue queue;
   bool keep_going = true;
   do {
@@ -42,7 +52,7 @@ bool advance(SolverState& state, const AdvanceOptions& options, Pipeline& pipeli
     queue.wait();
     std::swap(solved, running);
     std::swap(running, pitched);
-    if (!running.patches.empty()) queue.submit([&] { state.books.runner.run(running); });
+    if (!running.patches.empty()) queue.submit([&] { solve(state, running, energy_scale); });
     if (!solved.patches.empty()) {
       commit(state, solved, options.check);
       keep_going = options.after_batch(state.books.simulation.time_in_seconds(solved.front_minimum_time)) && keep_going;

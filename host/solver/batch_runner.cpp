@@ -6,6 +6,7 @@
 #include <omp.h>
 
 #include "host/solver/dense_fallback.hpp"
+#include "host/solver/energy_balance.hpp"
 
 namespace tentpole {
 BatchRunner::BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,
@@ -55,8 +56,16 @@ void BatchRunner::run(HostBatch& batch) {
     download(batch);
   }
   repair_failed_patches(batch);
+  compute_energies(batch);
   compute_slice_energies(batch);
   gather_wanted(batch);
+}
+
+void BatchRunner::compute_energies(HostBatch& batch) {
+  batch.energies.assign(batch.patches.size(), {});
+  for (std::size_t patch = 0; patch < batch.patches.size(); ++patch)
+    if (static_cast<Status>(batch.records[batch.patches[patch].first_element].status) == Status::ok)
+      batch.energies[patch] = patch_energies(batch, batch.patches[patch], simulation_);
 }
 
 void BatchRunner::compute_slice_energies(HostBatch& batch) {

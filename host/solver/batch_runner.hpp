@@ -19,10 +19,10 @@ class BatchRunner {
   BatchRunner(const Simulation& simulation, const Device& device, int threads, StageTimer& timer,
               TrafficCounters& traffic);
 
-  /// Solves all patches of the batch and fills records, slice_energies, wanted_coefficients and modelled_flops. Patches
-  /// whose check fails are solved again by pivoted dense LU on the host. Throws std::runtime_error naming the cell,
-  /// place and time when that fails too. Patches with fracture facets keep their status instead: an adaptive run
-  /// rejects them.
+  /// Solves all patches of the batch and fills records, energies, slice_energies, wanted_coefficients and
+  /// modelled_flops. Patches whose check fails are solved again by pivoted dense LU on the host. Throws
+  /// std::runtime_error naming the cell, place and time when that fails too. Patches with fracture facets keep their
+  /// status instead: an adaptive run rejects them.
   void run(HostBatch& batch);
 
   /// Gives elements of the store other simplices (kernels/transplant.hpp); `num_slots`: what the store must hold.
@@ -45,6 +45,7 @@ class BatchRunner {
   void launch();
   void download(HostBatch& batch);
   void repair_failed_patches(HostBatch& batch);
+  void compute_energies(HostBatch& batch);
   void compute_slice_energies(HostBatch& batch);
   void gather_wanted(HostBatch& batch);
   PatchBatch device_batch(const HostBatch& batch);

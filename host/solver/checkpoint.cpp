@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <sstream>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "host/output/binary_stream.hpp"
 #include "host/solver/result_settings.hpp"
 
 namespace tentpole {
@@ -19,12 +21,25 @@ std::string saved(const Book& book) {
   return std::move(stream).str();
 }
 
+/// A step of loading; what it throws names the section.
+template <class Step>
+void in_section(const char* name, const Step& step) {
+  try {
+    step();
+  } catch (const std::bad_alloc&) {
+    throw;  // the file may be as sound as large
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string("section \"") + name + "\", " + error.what());
+  }
+}
+
 template <class Book>
 void restore(Book& book, const std::string& bytes, const char* name) {
   std::istringstream stream(bytes, std::ios::binary);
-  book.load(stream);
-  if (stream.peek() != std::istringstream::traits_type::eof())
-    throw std::runtime_error(std::string("its ") + name + " was written by another version of the program");
+  in_section(name, [&] {
+    book.load(stream);
+    require_sound(stream, bytes_left(stream) == 0, "bytes are left over");
+  });
 }
 
 /// Rows cross the border in pieces, so that packing them takes little memory on the device.
@@ -33,8 +48,10 @@ constexpr std::size_t rows_per_transfer = 1 << 16;
 void read_elements(BatchRunner& runner, std::span<const std::int32_t> slots, CheckpointContents& contents) {
   std::vector<double> coefficients, inverse_jacobians;
   for (std::size_t first = 0; first < slots.size(); first += rows_per_transfer) {
-    runner.read_slots(slots.subspan(first, std::min(rows_per_transfer, slots.size() - first)), coefficients,
-                      inverse_jacobians);
+    const std::size_t count = std::min(rows_per_transfer, slots.size() - first);
+    runner.read_slots(slots.subspan(first, count), coefficients, inverse_jacobians);
+    contents.coefficients.reserve(coefficients.size() / count * slots.size());
+    contents.inverse_jacobians.reserve(inverse_jacobians.size() / count * slots.size());
     contents.coefficients.insert(contents.coefficients.end(), coefficients.begin(), coefficients.end());
     contents.inverse_jacobians.insert(contents.inverse_jacobians.end(), inverse_jacobians.begin(),
                                       inverse_jacobians.end());
@@ -52,6 +69,8 @@ void write_elements(BatchRunner& runner, std::span<const std::int32_t> slots, co
   }
 }
 
+constexpr double longest_run = 3.2e9;  ///< [s]; nanoseconds of it fit 64 bits
+
 /// The arrays have checksums; this finds a file that a faulty program wrote. `num_rows`: elements that cells refer to.
 void check_shapes(const CheckpointContents& contents, const Simulation& simulation, std::size_t num_rows) {
   const std::size_t d = simulation.dimension() + 1,
@@ -60,6 +79,14 @@ void check_shapes(const CheckpointContents& contents, const Simulation& simulati
                     contents.inverse_jacobians.size() == num_rows * d * d &&
                     contents.stage_seconds.size() == num_stages && contents.run_counts.size() == 4;
   if (!fits) throw std::runtime_error("its arrays do not fit together");
+  const auto require = [](bool holds, const char* section, const char* fault) {
+    if (!holds) throw std::runtime_error(std::string("section \"") + section + "\", " + fault);
+  };
+  require(all_finite(contents.coefficients), "coefficients", "a number is not finite");
+  require(all_finite(contents.inverse_jacobians), "inverse_jacobians", "a number is not finite");
+  for (const double seconds : contents.stage_seconds)
+    require(seconds >= 0 && seconds <= longest_run, "stage_seconds", "a time is negative or longer than a century");
+  for (const std::int64_t count : contents.run_counts) require(count >= 0, "run_counts", "a count is negative");
 }
 
 void restore_totals(const CheckpointContents& contents, RunBooks& books) {
@@ -70,6 +97,21 @@ void restore_totals(const CheckpointContents& contents, RunBooks& books) {
   books.traffic.bytes_from_device += contents.run_counts[1];
   books.traffic.launches += contents.run_counts[2];
   books.earlier_fallbacks = contents.run_counts[3];
+  if (contents.builds.empty() || contents.builds.back() != books.builds.back())
+    books.builds.insert(books.builds.begin(), contents.builds.begin(), contents.builds.end());
+  else
+    books.builds = contents.builds;
+}
+
+void require_same_build(const std::filesystem::path& file, const std::vector<std::string>& builds,
+                        const std::string& here) {
+  const std::string there = builds.empty() ? "an unknown program" : builds.back();
+  if (there != here)
+    throw InputError(
+        file.string() + ": was written by another build of the program, which may round differently:\n  " + there +
+        "\nThis is\n  " + here +
+        "\nResume with that program, or with --force; then the result may differ in some bits from that of "
+        "an uninterrupted run.");
 }
 
 /// Before anything is written: a run whose earlier output is gone would end with an incomplete result.
@@ -100,6 +142,7 @@ void save_checkpoint(const std::filesystem::path& file, const std::filesystem::p
                      const FrontMarch& march) {
   const ScopedStage stage(books.timer, Stage::output);
   CheckpointContents contents;
+  contents.builds = books.builds;
   contents.settings = result_settings(books.simulation);
   read_elements(books.runner, march.save(contents), contents);
   contents.ledger = saved(books.ledger);
@@ -112,20 +155,23 @@ void save_checkpoint(const std::filesystem::path& file, const std::filesystem::p
   write_checkpoint_file(file, contents);
 }
 
-void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march) {
+void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march, bool any_build) {
   const CheckpointContents contents = read_checkpoint_file(file);
   const std::string difference = first_difference(contents.settings, result_settings(books.simulation));
   if (!difference.empty())
     throw InputError(file.string() + ": belongs to a run with other settings: " + difference +
                      ". Resume with the case file and the --set and --seed of that run, or start anew.");
+  if (!any_build) require_same_build(file, contents.builds, books.builds.back());
   std::vector<std::int32_t> slots;
   try {
-    slots = march.load(contents);
+    in_section("march", [&] { slots = march.load(contents); });
     check_shapes(contents, books.simulation, slots.size());
     restore(books.ledger, contents.ledger, "ledger");
     restore(books.recorder, contents.recorder, "recorder");
     restore(books.history, contents.history, "history");
     require_output(books, march);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw InputError(file.string() + ": cannot be resumed: " + error.what());
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view format_name = "tentpole checkpoint";
 /// Raise it whenever the data sets, or what ledger, recorder and history write into theirs, change.
-constexpr std::int64_t format_version = 5;
+constexpr std::int64_t format_version = 6;
 
 /// An HDF5 identifier that closes itself; throws where HDF5 reports an error.
 class Handle {
@@ -65,20 +65,35 @@ hid_t memory_type(char) {
   return H5T_NATIVE_CHAR;
 }
 
-/// Settings as text: key and value end with a zero byte each, because expressions may have several lines.
-std::string joined(const std::vector<Setting>& settings) {
-  std::string text;
-  for (const auto& [key, value] : settings) text += key + '\0' + value + '\0';
-  return text;
+/// Texts in one: each ends with a zero byte, because expressions may have several lines.
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += text + '\0';
+  return all;
 }
 
-std::vector<Setting> split(const std::string& text) {
+std::vector<std::string> split(const std::string& all) {
+  std::vector<std::string> texts;
+  std::istringstream stream(all);
+  for (std::string text; std::getline(stream, text, '\0');) texts.push_back(text);
+  return texts;
+}
+
+/// Key, value, key, value, ...
+std::vector<std::string> texts_of(const std::vector<Setting>& settings) {
+  std::vector<std::string> texts;
+  for (const auto& [key, value] : settings) texts.insert(texts.end(), {key, value});
+  return texts;
+}
+
+std::vector<Setting> settings_of(const std::vector<std::string>& texts) {
+  if (texts.size() % 2 != 0) throw std::runtime_error("data set settings: a key has no value");
   std::vector<Setting> settings;
-  std::istringstream stream(text);
-  for (std::string key, value; std::getline(stream, key, '\0') && std::getline(stream, value, '\0');)
-    settings.emplace_back(key, value);
+  for (std::size_t i = 0; i < texts.size(); i += 2) settings.emplace_back(texts[i], texts[i + 1]);
   return settings;
 }
+
+constexpr hsize_t largest_chunk = 1 << 20;  ///< bytes
 
 /// Creates the data sets of a file. Chunks carry Fletcher's checksum, so a flipped bit is an error when they are read.
 class Writer {
@@ -89,7 +104,7 @@ class Writer {
   void operator()(const char* name, const Values& values) const {
     const auto type = memory_type(typename Values::value_type{});
     const hsize_t extent = values.size();
-    const hsize_t chunk = std::clamp<hsize_t>(extent, 1, (1 << 20) / sizeof(values[0]));
+    const hsize_t chunk = std::clamp<hsize_t>(extent, 1, largest_chunk / sizeof(values[0]));
     const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose, "create a data space");
     const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create a property list");
     require(H5Pset_chunk(properties, 1, &chunk), "choose the chunk size");
@@ -106,7 +121,7 @@ class Writer {
 
 class Reader {
  public:
-  explicit Reader(hid_t file) : file_(file) {}
+  Reader(hid_t file, std::uintmax_t file_size) : file_(file), file_size_(file_size) {}
 
   template <class Values>
   void operator()(const char* name, Values& values) const {
@@ -114,14 +129,35 @@ class Reader {
     const Handle space(H5Dget_space(dataset), H5Sclose, std::string("read the extent of ") + name);
     const hssize_t extent = H5Sget_simple_extent_npoints(space);
     require(extent < 0 ? -1 : 0, std::string("read the extent of ") + name);
-    values.resize(static_cast<std::size_t>(extent));
     const auto type = memory_type(typename Values::value_type{});
+    require_plain(dataset, type, name);
+    if (static_cast<std::uintmax_t>(extent) > file_size_ / sizeof(typename Values::value_type))
+      throw std::runtime_error(std::string("data set ") + name + " has " + std::to_string(extent) +
+                               " entries, more than its " + std::to_string(file_size_) + " bytes can hold");
+    values.resize(static_cast<std::size_t>(extent));
     if (extent > 0)
       require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), std::string("read ") + name);
   }
 
  private:
+  /// Only what Writer makes: other types, filters and chunks would have HDF5 convert, expand and allocate.
+  static void require_plain(hid_t dataset, hid_t type, const char* name) {
+    const std::string action = std::string("read the properties of ") + name;
+    const Handle stored(H5Dget_type(dataset), H5Tclose, action);
+    const Handle properties(H5Dget_create_plist(dataset), H5Pclose, action);
+    hsize_t chunk = 0;
+    const bool is_plain =
+        H5Tequal(stored, type) > 0 && H5Pget_layout(properties) == H5D_CHUNKED &&
+        H5Pget_chunk(properties, 1, &chunk) == 1 && chunk * H5Tget_size(type) <= largest_chunk &&
+        H5Pget_nfilters(properties) == 1 &&
+        H5Pget_filter_by_id2(properties, H5Z_FILTER_FLETCHER32, nullptr, nullptr, nullptr, 0, nullptr, nullptr) >= 0;
+    if (!is_plain)
+      throw std::runtime_error(std::string("data set ") + name +
+                               " has another type, layout or filter than checkpoints");
+  }
+
   hid_t file_;
+  std::uintmax_t file_size_;
 };
 
 /// Hands every array to the writer or the reader under its name.
@@ -148,7 +184,8 @@ void write_to(const std::filesystem::path& file, const CheckpointContents& conte
   const Writer write(handle);
   write("format", std::string(format_name));
   write("version", std::vector<std::int64_t>{format_version});
-  write("settings", joined(contents.settings));
+  write("builds", joined(contents.builds));
+  write("settings", joined(texts_of(contents.settings)));
   visit_arrays(contents, write);
   require(H5Fflush(handle, H5F_SCOPE_LOCAL), "flush the file");
 }
@@ -196,12 +233,14 @@ CheckpointContents read_checkpoint_file(const std::filesystem::path& file) {
   const QuietErrors quiet;
   try {
     const Handle handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file");
-    const Reader read(handle);
+    const Reader read(handle, std::filesystem::file_size(file));
     check_format(read);
     CheckpointContents contents;
-    std::string settings;
+    std::string builds, settings;
+    read("builds", builds);
+    contents.builds = split(builds);
     read("settings", settings);
-    contents.settings = split(settings);
+    contents.settings = settings_of(split(settings));
     visit_arrays(contents, read);
     return contents;
   } catch (const std::runtime_error& error) {

@@ -13,6 +13,7 @@ using Setting = std::pair<std::string, std::string>;
 
 /// What checkpoint.h5 holds: one data set per member, of the same name. Solver arrays in scaled units.
 struct CheckpointContents {
+  std::vector<std::string> builds;         ///< build_identity() of each program that has worked on the run, last last
   std::vector<Setting> settings;           ///< all that decides the result (result_settings.hpp)
   std::vector<double> front_times;         ///< [vertex]
   std::vector<std::int32_t> cell_element;  ///< [cell]: row of the element below it, or none: the initial data
@@ -32,7 +33,8 @@ void write_checkpoint_file(const std::filesystem::path& file, const CheckpointCo
 /// Removes it, and what a killed program left of writing it. A file that does not exist is no error.
 void remove_checkpoint_file(const std::filesystem::path& file);
 
-/// Reads it back bit by bit. Throws InputError for a file that is no checkpoint, of another format version, or damaged.
+/// Reads it back bit by bit. Throws InputError for a file that is no checkpoint, of another format version, or damaged;
+/// whatever its bytes are, no more memory is asked for than the file is long.
 CheckpointContents read_checkpoint_file(const std::filesystem::path& file);
 
 }  // namespace tentpole

@@ -1,9 +1,9 @@
 #include "host/solver/dense_fallback.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
+#include "host/solver/patch_place.hpp"
 #include "kernels/dense_patch_solve.hpp"
 #include "kernels/patch_matrix.reference.hpp"
 #include "kernels/patch_solver.hpp"
@@ -71,24 +71,9 @@ void DenseFallback::solve(std::span<const std::int32_t> source_slots, std::span<
 }
 
 void DenseFallback::fail(Status status) const {
-  const ElementDescriptor& element = batch_.elements[patch_.first_element];
-  const int dimension = simulation_.dimension();
-  int lowest = 0;
-  for (int corner = 1; corner <= dimension + 1; ++corner)
-    if (element.corner[corner][dimension] < element.corner[lowest][dimension]) lowest = corner;
-  if (element.pole != none) lowest = element.pole;
-  std::string place;
-  char number[32];
-  for (int axis = 0; axis < dimension; ++axis) {
-    std::snprintf(number, sizeof number, "%s%.6g", axis ? ", " : "",
-                  element.corner[lowest][axis] * simulation_.scaling.length);
-    place += number;
-  }
-  std::snprintf(number, sizeof number, "%.6g", element.corner[lowest][dimension] * simulation_.scaling.time());
-  throw std::runtime_error("cell " + std::to_string(batch_.cells[patch_.first_element]) + ", " +
-                           (element.pole == none ? "patch" : "tent") + " at (" + place + ") m, t = " + number +
-                           " s: the patch of " + std::to_string(patch_.num_elements) +
-                           " elements could not be solved (" + status_name(status) +
+  throw std::runtime_error(patch_place(batch_, patch_, simulation_) + ": the patch of " +
+                           std::to_string(patch_.num_elements) + " elements could not be solved (" +
+                           status_name(status) +
                            ", also by pivoted dense LU). Check the mesh there for very flat cells, "
                            "or lower front.causality.");
 }

@@ -1,5 +1,7 @@
 #include "host/solver/element_rows.hpp"
 
+#include <stdexcept>
+#include <string>
 #include <unordered_map>
 
 #include "kernels/patch_batch.hpp"
@@ -17,6 +19,26 @@ std::vector<std::int32_t> number_rows(std::span<const std::int32_t> cell_slot, s
     cell_row[cell] = place->second;
   }
   return slots;
+}
+
+std::int32_t num_element_rows(const CheckpointContents& contents, std::size_t num_cells, int dimension) {
+  const auto require = [](bool holds, const std::string& fault) {
+    if (!holds) throw std::runtime_error(fault);
+  };
+  require(contents.cell_element.size() == num_cells && contents.cell_facet.size() == num_cells,
+          "the front has " + std::to_string(num_cells) + " cells, \"cell_element\" " +
+              std::to_string(contents.cell_element.size()) + " and \"cell_facet\" " +
+              std::to_string(contents.cell_facet.size()));
+  std::int32_t num_rows = 0;
+  for (std::size_t cell = 0; cell < num_cells; ++cell) {
+    const std::int32_t row = contents.cell_element[cell], facet = contents.cell_facet[cell];
+    require(row >= none && row <= num_rows, "cell " + std::to_string(cell) + " lies on element " + std::to_string(row) +
+                                                ", the next new one is " + std::to_string(num_rows));
+    require(facet >= 0 && facet < num_facet_tables(dimension),
+            "cell " + std::to_string(cell) + " is facet " + std::to_string(facet) + " of its element");
+    num_rows += row == num_rows;
+  }
+  return num_rows;
 }
 
 }  // namespace tentpole

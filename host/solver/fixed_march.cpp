@@ -35,17 +35,10 @@ std::vector<std::int32_t> FixedMarch::save(CheckpointContents& contents) const {
 std::vector<std::int32_t> FixedMarch::load(const CheckpointContents& contents) {
   const SpaceMesh& mesh = books_.simulation.mesh;
   const std::size_t num_cells = mesh.cells.size();
-  bool fits = contents.front_times.size() == mesh.vertices.size() && contents.cell_element.size() == num_cells &&
-              contents.cell_facet.size() == num_cells;
-  std::int32_t num_rows = 0;
-  for (std::size_t cell = 0; fits && cell < num_cells; ++cell) {
-    const std::int32_t row = contents.cell_element[cell], facet = contents.cell_facet[cell];
-    if (row != none) fits = row == num_rows++;
-    fits = fits && facet >= 0 && facet < num_facet_tables(mesh.dimension);
-  }
-  if (!fits) throw std::runtime_error("its arrays do not fit together");
+  std::vector<std::int32_t> slots(num_element_rows(contents, num_cells, mesh.dimension));
+  const auto num_sources = std::ranges::count_if(contents.cell_element, [](std::int32_t row) { return row != none; });
+  if (num_sources != std::ssize(slots)) throw std::runtime_error("two cells lie on one element");
   front_.set_times(contents.front_times);
-  std::vector<std::int32_t> slots(num_rows);
   for (std::int32_t& slot : slots) slot = books_.store.acquire();
   sources_.facet = contents.cell_facet;
   for (std::size_t cell = 0; cell < num_cells; ++cell)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/solver/patch_energies.hpp"
 #include "kernels/slice_energies.hpp"
 
 namespace tentpole {
@@ -25,6 +26,7 @@ struct HostBatch {
 
   std::vector<ElementRecord> records;            ///< [element]
   std::vector<FractureRecord> fracture_records;  ///< [fracture facet]
+  std::vector<PatchEnergies> energies;           ///< [patch], of those that are solved
   std::vector<double> wanted_coefficients;       ///< [wanted][num_unknowns], scaled
   std::vector<double> slice_energies;            ///< [slice request][2]: kinetic, strain, scaled
   double modelled_flops = 0;                     ///< of its patches

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 #include "host/output/binary_stream.hpp"
+#include "host/solver/energy_balance.hpp"
 #include "host/solver/solved_element.hpp"
 
 namespace tentpole {
@@ -89,8 +91,8 @@ void Ledger::commit(const HostBatch& batch, bool check_balance, std::span<const 
   for (std::size_t e = 0; e < batch.records.size(); ++e)
     if (element_accepted[e])
       largest_energy_ = std::max({largest_energy_, batch.records[e].inflow_energy, batch.records[e].outflow_energy});
-  for (const PatchDescriptor& patch : batch.patches)
-    if (element_accepted[patch.first_element]) commit_patch(batch, patch, check_balance);
+  for (std::size_t patch = 0; patch < batch.patches.size(); ++patch)
+    if (element_accepted[batch.patches[patch].first_element]) commit_patch(batch, patch, check_balance);
   for (std::size_t index = 0; index < batch.wanted.size(); ++index)
     if (element_accepted[batch.wanted[index]]) record_wanted(batch, index);
   for (std::size_t request = 0; request < batch.slice_rows.size(); ++request)
@@ -109,20 +111,16 @@ void Ledger::commit_slice(const HostBatch& batch, std::size_t request) {
   }
 }
 
-void Ledger::commit_patch(const HostBatch& batch, const PatchDescriptor& patch, bool check_balance) {
+void Ledger::commit_patch(const HostBatch& batch, std::size_t patch_index, bool check_balance) {
+  const PatchDescriptor& patch = batch.patches[patch_index];
   ++num_patches_;
-  double change = 0, dissipation = 0, work = 0;
-  for (int e = patch.first_element; e < patch.first_element + patch.num_elements; ++e) {
-    const ElementRecord& record = batch.records[e];
-    change += record.outflow_energy - record.inflow_energy;
-    dissipation += record.dissipation;
-    work += record.external_work;
-    commit_element(batch, e);
-  }
-  dissipation += commit_fractures(batch, patch);
-  const double imbalance = std::fabs(change + dissipation - work);
+  for (int e = patch.first_element; e < patch.first_element + patch.num_elements; ++e) commit_element(batch, e);
+  commit_fractures(batch, patch);
+  const PatchEnergies& energies = batch.energies[patch_index];
+  const double imbalance = energies.imbalance();
+  energy_scale_ = std::max(energy_scale_, energies.largest);
   largest_imbalance_ = std::max(largest_imbalance_, imbalance);
-  largest_increase_ = std::max(largest_increase_, change - work);
+  largest_increase_ = std::max(largest_increase_, energies.change - energies.work);
   if (check_balance && !(imbalance <= 1e-9 * largest_energy_)) {
     char message[160];
     std::snprintf(message, sizeof message,
@@ -132,13 +130,11 @@ void Ledger::commit_patch(const HostBatch& batch, const PatchDescriptor& patch, 
   }
 }
 
-/// Books what the fracture facets of a patch take; returns it in scaled units.
-double Ledger::commit_fractures(const HostBatch& batch, const PatchDescriptor& patch) {
+/// Books what the fracture facets of a patch take.
+void Ledger::commit_fractures(const HostBatch& batch, const PatchDescriptor& patch) {
   const double unit = simulation_.scaling.energy();
-  double taken = 0;
   for (int f = patch.first_fracture; f < patch.first_fracture + patch.num_fractures; ++f) {
     const FractureRecord& record = batch.fracture_records[f];
-    taken += record.fracture_work + record.friction_work;
     EnergyFlow flow;
     flow.fracture = unit * record.fracture_work;
     flow.friction = unit * record.friction_work;
@@ -147,7 +143,6 @@ double Ledger::commit_fractures(const HostBatch& batch, const PatchDescriptor& p
     const TimeRange range = time_range(simulation_, batch.elements[batch.fractures[f].element[0]]);
     history_.add_interval(range.first, range.last, flow);
   }
-  return taken;
 }
 
 void Ledger::commit_element(const HostBatch& batch, std::int32_t element) {
@@ -191,6 +186,12 @@ void Ledger::fill(RunSummary& summary) const {
   summary.errors = errors_.result();
 }
 
+void Ledger::require_balance() const {
+  RunSummary summary;
+  fill(summary);
+  tentpole::require_balance(summary.energy, simulation_.scaling.energy() * energy_scale_);
+}
+
 double Ledger::largest_imbalance() const {
   return largest_energy_ > 0 ? largest_imbalance_ / largest_energy_ : 0;
 }
@@ -203,16 +204,19 @@ void Ledger::save(std::ostream& stream) const {
   for (const ExactSum* sum :
        {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &fracture_, &friction_, &modelled_flops_})
     write_value(stream, *sum);
-  for (const double value : {largest_energy_, largest_imbalance_, largest_increase_}) write_value(stream, value);
+  for (const double value : {largest_energy_, energy_scale_, largest_imbalance_, largest_increase_})
+    write_value(stream, value);
   errors_.save(stream);
 }
 
 void Ledger::load(std::istream& stream) {
-  for (std::int64_t* count : {&num_patches_, &num_elements_, &num_batches_}) *count = read_value<std::int64_t>(stream);
+  for (std::int64_t* count : {&num_patches_, &num_elements_, &num_batches_})
+    *count = read_number(stream, std::numeric_limits<std::int64_t>::max(), "a count");
   for (ExactSum* sum :
        {&initial_, &external_work_, &numerical_, &kinetic_, &strain_, &fracture_, &friction_, &modelled_flops_})
     *sum = read_value<ExactSum>(stream);
-  for (double* value : {&largest_energy_, &largest_imbalance_, &largest_increase_}) *value = read_value<double>(stream);
+  for (double* value : {&largest_energy_, &energy_scale_, &largest_imbalance_, &largest_increase_})
+    *value = read_number(stream, std::numeric_limits<double>::max(), "an energy");
   errors_.load(stream);
 }
 

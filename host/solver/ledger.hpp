@@ -27,6 +27,12 @@ class Ledger {
   /// `check_balance` throws std::runtime_error for a patch whose energy balance does not close to 1e-9.
   void commit(const HostBatch& batch, bool check_balance, std::span<const std::uint8_t> accepted = {});
 
+  /// Throws std::runtime_error unless the energy of a run that has reached its end is balanced (energy_balance.hpp).
+  void require_balance() const;
+
+  /// PatchEnergies::largest over all committed patches, scaled.
+  double energy_scale() const { return energy_scale_; }
+
   /// Counts, energies and errors so far.
   void fill(RunSummary& summary) const;
 
@@ -41,8 +47,8 @@ class Ledger {
   void load(std::istream& stream);
 
  private:
-  void commit_patch(const HostBatch& batch, const PatchDescriptor& patch, bool check_balance);
-  double commit_fractures(const HostBatch& batch, const PatchDescriptor& patch);
+  void commit_patch(const HostBatch& batch, std::size_t patch_index, bool check_balance);
+  void commit_fractures(const HostBatch& batch, const PatchDescriptor& patch);
   void commit_element(const HostBatch& batch, std::int32_t element);
   void record_wanted(const HostBatch& batch, std::size_t index);
   void request_slices(HostBatch& batch, std::int32_t element) const;
@@ -58,6 +64,7 @@ class Ledger {
   std::int64_t num_batches_ = 0;
   ExactSum initial_, external_work_, numerical_, kinetic_, strain_, fracture_, friction_, modelled_flops_;
   double largest_energy_ = 0;
+  double energy_scale_ = 0;
   double largest_imbalance_ = 0;
   double largest_increase_ = 0;
 };

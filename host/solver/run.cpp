@@ -6,9 +6,13 @@
 #include "host/adaptive/adaptive_march.hpp"
 #include "host/output/file_identity.hpp"
 #include "host/output/output_times.hpp"
+#include "host/solver/check_expressions.hpp"
+#include "host/solver/check_probes.hpp"
+#include "host/solver/check_workload.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/fixed_march.hpp"
+#include "host/solver/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {
@@ -69,12 +73,27 @@ std::unique_ptr<FrontMarch> make_march(RunBooks& books, const std::filesystem::p
   return std::make_unique<FixedMarch>(books);
 }
 
+std::string other_build_warning(const RunBooks& books) {
+  return "resumed from a checkpoint of another build (" + books.builds[books.builds.size() - 2] +
+         "): the result may differ in some bits from that of an uninterrupted run.";
+}
+
+const Simulation& checked(const Simulation& simulation) {
+  check_workload(simulation);
+  check_probes(simulation);
+  check_expressions(simulation);
+  return simulation;
+}
+
 /// Everything that a run owns; the parts refer to each other.
 class Run {
  public:
+  /// All tests come first, then what takes memory; nothing is read or written before open_folder().
   Run(const Simulation& simulation, const RunOptions& options);
   Run(const Run&) = delete;
 
+  /// Prepares the folder, and goes back to the checkpoint where the run is resumed. Call once, before advance().
+  void open_folder();
   /// Advances to the end; false if interrupted. Then, at the case's interval, and when it throws, writes a checkpoint.
   bool advance();
   /// Call once, after advance().
@@ -84,7 +103,9 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool advance_until_stopped(const AdvanceOptions& options);
+  template <class Step>
+  auto saving_after_failure(const Step& step);
+  void hold_reserve();
   void save();
   std::string save_after_failure();
   void count_total_time();
@@ -96,6 +117,7 @@ class Run {
   TrafficCounters traffic_;
   Clock::time_point counted_ = Clock::now();  ///< up to here the total time is counted
   Clock::time_point last_save_ = Clock::now();
+  MemoryReserve reserve_;
   ElementStore store_;
   BatchRunner runner_;
   Recorder recorder_;
@@ -106,47 +128,69 @@ class Run {
 };
 
 Run::Run(const Simulation& simulation, const RunOptions& options)
-    : simulation_(simulation),
+    : simulation_(checked(simulation)),
       options_(options),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
       recorder_(recorder_options(simulation, options)),
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
-      march_(make_march(books_, options.folder)) {
-  if (options.resume) load_checkpoint(*options.resume, books_, *march_);
+      march_(make_march(books_, options.folder)) {}
+
+void Run::open_folder() {
+  if (options_.prepare_folder)
+    options_.prepare_folder();
+  else
+    std::filesystem::create_directories(options_.folder);
+  if (options_.resume) load_checkpoint(*options_.resume, books_, *march_, options_.any_build);
+  if (books_.builds.size() > 1) options_.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);
 }
 
-bool Run::advance() {
-  bool interrupted = false;
-  AdvanceOptions advance;
-  advance.max_patches = batch_size(simulation_.settings, options_.device);
-  advance.check = options_.check;
-  advance.after_batch = [&](double front_time) {
-    options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), march_->num_cells()});
-    interrupted = interrupted || options_.interrupted();
-    return !interrupted && !checkpoint_is_due();
-  };
-  while (!advance_until_stopped(advance)) {
-    save();
-    if (interrupted) return false;
-  }
-  return true;
-}
-
-/// The march; the message of a failure also says how to go on.
-bool Run::advance_until_stopped(const AdvanceOptions& options) {
+/// A step of the run; the message of a failure also says how to go on.
+template <class Step>
+auto Run::saving_after_failure(const Step& step) {
   // The type decides about the exit code, so it stays.
   try {
-    return march_->advance(options);
+    return step();
   } catch (const FolderLost&) {
     throw;  // no checkpoint: it would be written into another run's folder
   } catch (const InputError& error) {
     throw InputError(error.what() + save_after_failure());
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(error.what() + save_after_failure());
+  } catch (const std::bad_alloc& error) {
+    throw std::runtime_error(out_of_memory_text(error) + save_after_failure());
   }
+}
+
+bool Run::advance() {
+  hold_reserve();
+  bool interrupted = false;
+  AdvanceOptions advance;
+  advance.max_patches = batch_size(simulation_.settings, options_.device);
+  advance.check = options_.check;
+  advance.after_batch = [&](double front_time) {
+    hold_reserve();
+    options_.report({front_time, simulation_.settings.end_time, ledger_.num_patches(), march_->num_cells()});
+    interrupted = interrupted || options_.interrupted();
+    return !interrupted && !checkpoint_is_due();
+  };
+  while (!saving_after_failure([&] { return march_->advance(advance); })) {
+    save();
+    if (interrupted) return false;
+  }
+  saving_after_failure([&] { ledger_.require_balance(); });
+  return true;
+}
+
+/// What a checkpoint takes: elements below the front once as they come and once in the file's contents, output that
+/// waits, HDF5's buffers.
+void Run::hold_reserve() {
+  constexpr std::size_t buffers = 32 << 20;
+  const int d = simulation_.dimension() + 1;
+  const std::size_t row = simulation_.dimension() * num_polynomials(d, simulation_.degree()) + d * d;
+  reserve_.hold(buffers + 4 * row * sizeof(double) * march_->num_cells());
 }
 
 bool Run::checkpoint_is_due() const {
@@ -201,14 +245,20 @@ RunSummary Run::summary() {
         std::to_string(summary.counts.dense_fallbacks) +
         " patches missed the residual tolerance and were solved by pivoted dense LU on the host. "
         "Check the mesh for very flat cells.");
+  if (books_.builds.size() > 1) summary.warnings.push_back(other_build_warning(books_));
   fill_stages(timer_, summary.stages);
   return summary;
 }
 
 }  // namespace
 
+void prepare_run(const Simulation& simulation, const RunOptions& options) {
+  const Run run(simulation, options);
+}
+
 RunResult run_simulation(const Simulation& simulation, const RunOptions& options) {
   Run run(simulation, options);
+  run.open_folder();
   RunResult result;
   result.interrupted = !run.advance();
   result.summary = run.summary();

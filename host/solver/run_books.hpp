@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/output/machine_info.hpp"
 #include "host/solver/batch_runner.hpp"
 #include "host/solver/element_store.hpp"
 #include "host/solver/ledger.hpp"
@@ -16,8 +17,9 @@ struct RunBooks {
   History& history;
   StageTimer& timer;
   TrafficCounters& traffic;
-  std::int64_t earlier_fallbacks = 0;  ///< of the run that this one resumes
-  bool is_committing = false;          ///< a batch is in some of the books and not in others
+  std::int64_t earlier_fallbacks = 0;                 ///< of the run that this one resumes
+  std::vector<std::string> builds{build_identity()};  ///< of the programs that have worked on the run, this one last
+  bool is_committing = false;                         ///< a batch is in some of the books and not in others
 
   /// Patches that needed the dense solution since t = 0.
   std::int64_t num_fallbacks() const { return earlier_fallbacks + runner.num_fallbacks(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
@@ -59,6 +60,25 @@ TEST(ExactSum, AddsPartialSumsExactly) {
   for (std::size_t i = 0; i < terms.size(); ++i) (i % 3 ? left : right) += terms[i];
   left += right;
   EXPECT_EQ(left.value(), sum(terms));
+}
+
+TEST(ExactSum, IsSoundAsSumsLeaveItAndNotWithAnyBytes) {
+  ExactSum sound;
+  for (const double term : terms_of_all_sizes(1000)) {
+    sound += term;
+    EXPECT_TRUE(sound.is_sound());
+  }
+  ExactSum twice = sound;
+  twice += sound;
+  EXPECT_TRUE(twice.is_sound());
+  twice += std::nan("");
+  EXPECT_TRUE(twice.is_sound());
+  const std::int64_t number = std::int64_t{1} << 62;
+  for (std::size_t place = 0; place + sizeof number <= sizeof(ExactSum); place += sizeof number) {
+    ExactSum bad = sound;
+    std::memcpy(reinterpret_cast<char*>(&bad) + place, &number, sizeof number);
+    EXPECT_FALSE(bad.is_sound()) << "byte " << place;
+  }
 }
 
 TEST(ExactSum, IsNotANumberOnceATermIsNotFinite) {

@@ -66,5 +66,17 @@ TEST_F(PoleHeight, IsFullAtACrackAtRest) {
   EXPECT_EQ(height(), limit(Pitch::full));
 }
 
+TEST_F(PoleHeight, ThatIsLostInTheRoundingOfTheTimeIsAFaultWithAPlace) {
+  crack_still_vertex();
+  front_.state.limits.max_pole_height = 0;
+  try {
+    plan_patch(front_.state, vertex_);
+    FAIL() << "a tent without height";
+  } catch (const std::runtime_error& error) {
+    for (const char* part : {"tent at (", " m, t = ", "rounding", "fracture.relaxation_time"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace tentpole

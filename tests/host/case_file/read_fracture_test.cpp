@@ -155,7 +155,7 @@ TEST(ReadFracture, CrackMayBeASideOfAMeshFile) {
   EXPECT_EQ(fracture.cracks[0].side, "joint");
   EXPECT_EQ(fracture.cracks[0].damage, 0.5);
   EXPECT_TRUE(fracture.cracks[0].points.empty());
-  EXPECT_EQ(fracture.cracks[0].side_location.key, "fracture.crack[1].side");
+  EXPECT_EQ(fracture.cracks[0].location.key, "fracture.crack[1].side");
 }
 
 TEST(ReadFracture, CrackOfABarIsAPoint) {

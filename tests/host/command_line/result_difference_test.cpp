@@ -43,6 +43,7 @@ TEST(ResultDifference, SeesCracks) {
   const TemporaryFolder root;
   const auto a = root.path() / "a", b = root.path() / "b", c = root.path() / "c";
   for (const auto& [folder, damage] : {std::pair{&a, 0.5}, std::pair{&b, 0.375}, std::pair{&c, -1.0}}) {
+    std::filesystem::create_directories(*folder);
     CrackSeries cracks({.dimension = 2, .folder = *folder, .times = {1e-8, 2e-8}});
     CrackSegment segment;
     segment.end[1] = {1e-6, 0, 0};

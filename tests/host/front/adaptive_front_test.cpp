@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <random>
 #include <sstream>
 #include <string>
@@ -215,6 +217,35 @@ TEST(AdaptiveFront, RefusesDamagedCheckpoints) {
   std::istringstream stream(changed);
   EXPECT_THROW(target.load(stream), std::runtime_error);
   EXPECT_TRUE(bytes_of(target) == before);
+}
+
+TEST(AdaptiveFront, RefusesCheckpointsWhoseCellsHaveIndicesThatLeadNowhere) {
+  const SpaceMesh mesh = testing::bad_triangle_mesh(4, 4, 5, 150);
+  std::mt19937_64 random(7);
+  const AdaptiveFront front = worn_front(mesh, 300, random);
+  const std::string whole = bytes_of(front);
+  const std::size_t num_vertices = front.mesh().num_vertex_slots(),
+                    num_free = num_vertices - front.mesh().num_vertices(), length = sizeof(std::int64_t);
+  const std::size_t first_cell = sizeof(std::int32_t) + (length + sizeof(Point) * num_vertices) +
+                                 (length + sizeof(double) * num_vertices) + (length + num_vertices) +
+                                 (length + sizeof(std::int32_t) * num_free) + length;
+  int cell = 0;
+  while (!front.mesh().is_alive_cell(cell)) ++cell;
+  for (const std::size_t member :
+       {offsetof(FrontCell, vertex), offsetof(FrontCell, neighbor), offsetof(FrontCell, boundary)})
+    for (const std::int32_t index : {2000000000, -7}) {
+      std::string changed = whole;
+      std::memcpy(&changed[first_cell + cell * sizeof(FrontCell) + member], &index, sizeof index);
+      AdaptiveFront target(mesh, std::vector<double>{1.0});
+      std::istringstream stream(changed);
+      try {
+        target.load(stream);
+        ADD_FAILURE() << "member at byte " << member << " is " << index;
+      } catch (const std::runtime_error& error) {
+        const std::string expected = "cell " + std::to_string(cell) + " of the front has an index that leads nowhere";
+        EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+      }
+    }
 }
 
 TEST(AdaptiveFront, RefusesMeshesSpeedsAndRulesThatMakeNoSense) {

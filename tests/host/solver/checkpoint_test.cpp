@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/output/machine_info.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/result_settings.hpp"
 #include "host/solver/run.hpp"
@@ -192,13 +193,44 @@ TEST_F(RefusedCheckpoint, OfAnotherCaseNamesTheFirstDifference) {
   EXPECT_EQ(with("title=another name"), "resumed") << "what does not change the result may change";
 }
 
+TEST_F(RefusedCheckpoint, OfAnotherBuildNamesBothAndGoesOnWhenForced) {
+  const fs::path whole = test_folder("whole");
+  run_leg(simulation_, whole, {}, false);
+  const fs::path file = folder_ / "checkpoint.h5";
+  CheckpointContents contents = read_checkpoint_file(file);
+  ASSERT_EQ(contents.builds, std::vector{build_identity()});
+  const std::string other = "tentpole 0.0.9, sources 0123456789ab, g++ 4";
+  contents.builds = {other};
+  write_checkpoint_file(file, contents);
+  const std::string message = refusal(simulation_, folder_);
+  for (const std::string& part : {file.string(), other, build_identity(), std::string("--force")})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  // Also when it is interrupted in between.
+  RunOptions options;
+  options.folder = folder_;
+  options.resume = file;
+  options.any_build = true;
+  std::string note;
+  options.note = [&](const std::string& text) { note = text; };
+  options.interrupted = [] { return true; };
+  ASSERT_TRUE(run_simulation(simulation_, options).interrupted);
+  EXPECT_NE(note.find(other), std::string::npos) << note;
+  EXPECT_EQ(read_checkpoint_file(file).builds, (std::vector{other, build_identity()}));
+  options.any_build = false;
+  options.interrupted = [] { return false; };
+  const RunSummary summary = run_simulation(simulation_, options).summary;
+  ASSERT_FALSE(summary.warnings.empty());
+  EXPECT_NE(summary.warnings.back().find(other), std::string::npos) << summary.warnings.back();
+  EXPECT_EQ(bytes_of(folder_ / "history.csv"), bytes_of(whole / "history.csv")) << "the builds are the same in truth";
+}
+
 void put_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
 }
 
 bool equal(const CheckpointContents& a, const CheckpointContents& b) {
-  return a.settings == b.settings && a.front_times == b.front_times && a.cell_element == b.cell_element &&
-         a.cell_facet == b.cell_facet && a.coefficients == b.coefficients &&
+  return a.builds == b.builds && a.settings == b.settings && a.front_times == b.front_times &&
+         a.cell_element == b.cell_element && a.cell_facet == b.cell_facet && a.coefficients == b.coefficients &&
          a.inverse_jacobians == b.inverse_jacobians && a.ledger == b.ledger && a.recorder == b.recorder &&
          a.history == b.history && a.stage_seconds == b.stage_seconds && a.run_counts == b.run_counts;
 }
@@ -271,15 +303,16 @@ TEST(FailedRun, LeavesTheStateBeforeTheFaultInACheckpointAndSaysWhere) {
   const fs::path whole = test_folder("whole");
   const Simulation sound = simulation_of(bar_with_load("t"), whole);
   run_leg(sound, whole, {}, false);
-  // The first is found while a batch is pitched, the second, whose equations overflow, while one is solved.
-  for (const std::string fault : {"sqrt(0.4-t)", "1e308"}) {
+  // The first is found while a batch is pitched, the second, whose equations overflow, while one is solved, the third,
+  // whose energies overflow, after that.
+  for (const std::string fault : {"sqrt(0.4-t)", "1e308", "1e200"}) {
     const fs::path folder = test_folder("failed");
     const Simulation faulty = simulation_of(bar_with_load("t < 0.4 ? t : " + fault), folder);
     const std::string message = failure(faulty, folder);
     EXPECT_NE(message.find((folder / "checkpoint.h5").string()), std::string::npos) << message;
     EXPECT_FALSE(fs::exists(folder / "summary.json"));
     EXPECT_TRUE(fs::exists(folder / "snapshot_0000.vtkhdf")) << "the state at t = 0.14";
-    EXPECT_EQ(refusal(faulty, folder), fault == "1e308" ? "failed" : message) << "the same fault comes again";
+    EXPECT_EQ(refusal(faulty, folder), fault.starts_with("1e") ? "failed" : message) << "the same fault comes again";
     // Until the fault both loads are the same, so with the settings of the sound run the checkpoint is one of it.
     CheckpointContents contents = read_checkpoint_file(folder / "checkpoint.h5");
     contents.settings = result_settings(sound);
@@ -287,6 +320,26 @@ TEST(FailedRun, LeavesTheStateBeforeTheFaultInACheckpointAndSaysWhere) {
     run_leg(sound, folder, {}, true);
     EXPECT_EQ(results_in(folder), results_in(whole)) << fault;
   }
+}
+
+// The callback leaks until the system refuses, so all that a checkpoint takes comes from the reserve.
+TEST(RunWithoutMemory, LeavesACheckpointAndSaysWhatWasWanted) {
+  const fs::path whole = test_folder("whole"), folder = test_folder("starved");
+  const fs::path case_file = whole.parent_path() / "starved_run_case.toml";
+  const Simulation simulation = simulation_of(sample_case(2), whole);
+  run_leg(simulation, whole, {}, false);
+  std::ofstream(case_file) << sample_case(2);
+  const fs::path errors = folder.parent_path() / "starved_run_errors.txt";
+  const std::string command = std::string(TENTPOLE_SOLVE_CASE) + " '" + case_file.string() + "' '" + folder.string() +
+                              "' 1e9 9 2> '" + errors.string() + "'";
+  const int status = std::system(command.c_str());
+  const std::string message = bytes_of(errors);
+  ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1) << status << " " << message;
+  for (const std::string& part : {std::string("out of memory: 1 MiB were asked for, "), std::string(" are free"),
+                                  (folder / "checkpoint.h5").string()})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  run_leg(simulation, folder, {}, true);
+  EXPECT_EQ(results_in(folder), results_in(whole));
 }
 
 TEST(Checkpoint, ThatCannotBeWrittenEndsTheRunWithAMessage) {

@@ -1,4 +1,4 @@
-#include "host/command_line/tent_estimate.hpp"
+#include "host/solver/tent_estimate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,10 +39,10 @@ TEST(TentEstimate, ExtrapolatesToWithinTenPercentFromATenthOfTheTents) {
   const Simulation simulation = square(folder);
   const TentEstimate all = estimate_tents(simulation, 1'000'000);
   ASSERT_TRUE(all.is_exact);
-  const TentEstimate estimate = estimate_tents(simulation, all.patches / 10);
+  const TentEstimate estimate = estimate_tents(simulation, static_cast<std::int64_t>(all.patches / 10));
   EXPECT_FALSE(estimate.is_exact);
-  EXPECT_NEAR(static_cast<double>(estimate.patches), static_cast<double>(all.patches), 0.1 * all.patches);
-  EXPECT_NEAR(static_cast<double>(estimate.elements), static_cast<double>(all.elements), 0.1 * all.elements);
+  EXPECT_NEAR(estimate.patches, all.patches, 0.1 * all.patches);
+  EXPECT_NEAR(estimate.elements, all.elements, 0.1 * all.elements);
 }
 
 TEST(TentEstimate, LargestPatchIsTheLargestStar) {
