@@ -8,6 +8,7 @@
 #include "device/free_memory.hpp"
 #include "device/gpu_driver.hpp"
 #include "device/target_runtime.hpp"
+#include "device/thread_choice.hpp"
 
 namespace tentpole {
 
@@ -54,7 +55,8 @@ void add_driver_facts(Device& device, int gpu) {
 }  // namespace
 
 Device host_device() {
-  return {omp_get_initial_device(), true, DeviceKind::host, kind_name(DeviceKind::host), omp_get_max_threads()};
+  return {omp_get_initial_device(), true, DeviceKind::host, kind_name(DeviceKind::host),
+          choose_threads(thread_supply(), 0).threads};
 }
 
 std::vector<Device> available_devices() {

@@ -52,7 +52,10 @@ if(TENTPOLE_OFFLOAD)
       "Install clang-tools-19 and libomp-19-dev, or use --preset host without devices.")
   endif()
 
-  set(images x86_64-pc-linux-gnu)
+  set(images)
+  if(TENTPOLE_VIRTUAL_DEVICE)
+    list(APPEND images x86_64-pc-linux-gnu)
+  endif()
   set(image_options)
   set(gpu_code_options)
   set(TENTPOLE_GPU_ARCH sm_90 CACHE STRING "architecture of the nvptx64 image")
@@ -70,11 +73,15 @@ if(TENTPOLE_OFFLOAD)
       list(APPEND images nvptx64-nvidia-cuda)
       # Clang warns of every toolkit newer than itself, though it only takes ptxas and libdevice from it. It looks for
       # the device runtime in LIBRARY_PATH alone, so the path is given.
-      list(APPEND image_options -Xopenmp-target=nvptx64-nvidia-cuda -march=${TENTPOLE_GPU_ARCH}
-        --cuda-path=${TENTPOLE_CUDA} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime}
-)
+      set(TENTPOLE_NVPTX_OPTIONS -Xopenmp-target=nvptx64-nvidia-cuda -march=${TENTPOLE_GPU_ARCH}
+        --cuda-path=${TENTPOLE_CUDA} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime})
+      list(APPEND image_options ${TENTPOLE_NVPTX_OPTIONS})
       set(gpu_code_options "SHELL:-fopenmp-cuda-mode -Xcuda-ptxas -maxrregcount=${TENTPOLE_GPU_REGISTERS}")
     endif()
+  endif()
+  if(NOT images)
+    message(FATAL_ERROR "TENTPOLE_OFFLOAD needs a device image: set TENTPOLE_VIRTUAL_DEVICE=ON, or TENTPOLE_NVPTX=ON "
+      "where a CUDA toolkit is (ptxas: ${PTXAS_PROGRAM}; device runtime: ${gpu_runtime}).")
   endif()
   message(STATUS "Tentpole: device images ${images}")
 

@@ -77,7 +77,7 @@ void copy_from(int device, void* to, const void* from, std::size_t num_bytes) {
 }
 
 void launch_empty(int device) {
-#pragma omp target device(device)
+#pragma omp target parallel num_threads(1) device(device)
   {}
 }
 

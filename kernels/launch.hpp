@@ -15,7 +15,7 @@ struct LaunchShape {
 };
 
 /// Whether this is the compiler pass for a GPU. Its image holds the code of teams alone, which halves it: a kernel for
-/// threads that is launched there traps.
+/// threads that is launched there traps, before its loop, whose schedule would take memory from the GPU's heap.
 #ifdef __NVPTX__
 inline constexpr bool is_gpu_image = true;
 #else
@@ -36,17 +36,24 @@ void loop_on_host(const LaunchShape& shape, int num_items, int chunk, const Work
 }
 
 #ifdef TENTPOLE_OFFLOAD
+/// What each thread of a CPU device does in a parallel region: it calls work(item) for items that no other thread
+/// takes, `chunk` of them at a time.
+template <class Work>
+void share_on_cpu_device(int num_items, int chunk, const Work& work) {
+  if constexpr (is_gpu_image) {
+    __builtin_trap();
+  } else {
+#pragma omp for schedule(monotonic : dynamic, chunk) nowait
+    for (int item = 0; item < num_items; ++item) work(item);
+  }
+}
+
 template <class Work>
 void loop_on_cpu_device(const LaunchShape shape, int num_items, int chunk, const Work work, int device_number) {
   const int workers = shape.workers;  // a number travels with the launch, a struct would be mapped there and back
 #pragma omp target teams num_teams(1) device(device_number) firstprivate(work)
-#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, chunk)
-  for (int item = 0; item < num_items; ++item) {
-    if constexpr (is_gpu_image)
-      __builtin_trap();
-    else
-      work(item);
-  }
+#pragma omp parallel num_threads(workers)
+  share_on_cpu_device(num_items, chunk, work);
 }
 
 // `parallel` directly inside `teams`, with no statement between them, makes all lanes run from the start (SPMD): no

@@ -12,7 +12,6 @@ namespace {
 /// One worker's share of a launch.
 template <int D, class Lanes>
 inline void run_patch(const PatchSolverTask& task, int patch, int worker, const Lanes& lanes) {
-  if constexpr (is_gpu_image && !Lanes::cooperative) return __builtin_trap();
   StageCycles cycles;
   solve_patch<D>(task.batch, task.tables, patch, task.scratch + worker * task.scratch_stride, cycles, lanes);
   if (lanes.first() == 0) {
@@ -34,8 +33,9 @@ template <int D>
 void run_on_cpu_device(const PatchSolverTask task, int device_number) {
   const int num_patches = task.batch.num_patches, workers = task.shape.workers;
 #pragma omp target teams num_teams(1) device(device_number) firstprivate(task)
-#pragma omp parallel for num_threads(workers) schedule(monotonic : dynamic, 1)
-  for (int patch = 0; patch < num_patches; ++patch) run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{});
+#pragma omp parallel num_threads(workers)
+  share_on_cpu_device(num_patches, 1,
+                      [&](int patch) { run_patch<D>(task, patch, omp_get_thread_num(), SerialLane{}); });
 }
 
 // Teams that stay with their scratch and take every num_teams-th patch; SPMD as loop_on_gpu.

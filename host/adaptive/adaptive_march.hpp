@@ -17,6 +17,7 @@ class AdaptiveMarch : public FrontMarch {
   void fill(RunSummary& summary) override;
   std::vector<std::int32_t> save(CheckpointContents& contents) const override;
   std::vector<std::int32_t> load(const CheckpointContents& contents) override;
+  void add_written(WrittenFiles& files) const override { cracks_.add_written(files); }
 
  private:
   AdaptiveState state_;

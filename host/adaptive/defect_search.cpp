@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
+#include "host/fracture/defect_load.hpp"
 #include "host/fracture/defect_tests.hpp"
+#include "host/mesh/printed_number.hpp"
 
 namespace tentpole {
 namespace {
@@ -51,6 +56,22 @@ DefectSearch::DefectSearch(AdaptiveState& state)
     field_.emplace(state.books.simulation.dimension(), nucleation.density, *distribution_, nucleation.seed);
 }
 
+/// However strong the stress is, the search in one cell has an end.
+void DefectSearch::refuse_crowd(std::span<const Point> corners, double strongest) const {
+  const NucleationSettings& nucleation = settings_.nucleation;
+  const int dimension = state_.front.mesh().dimension();
+  FrontSimplex cell{.dimension = dimension};
+  std::ranges::copy(corners, cell.position.begin());
+  const double measure = std::abs(signed_measure(cell));
+  const double mean = field_ ? field_->mean_number_searched(measure, strongest)
+                             : nucleation.density * measure * distribution_->probability(strongest);
+  if (mean <= most_defects_per_cell) return;
+  throw std::runtime_error(
+      "at (" + printed(corners[0][0]) + ", " + printed(corners[0][1]) + ") m a cell is to be searched through about " +
+      printed(mean) + " defects for those weaker than " + printed(strongest) + " Pa; at most " +
+      printed(most_defects_per_cell) + " are possible. Give a smaller fracture.nucleation.density or smaller cells.");
+}
+
 /// Defects of the field in a cell up to a strength; none is generated while the weakest is known to be stronger.
 std::vector<Defect> DefectSearch::field_defects(std::int32_t cell, std::span<const Point> corners, double strongest) {
   if (cell >= std::ssize(memory_)) memory_.resize(state_.front.mesh().num_cell_slots());
@@ -62,6 +83,7 @@ std::vector<Defect> DefectSearch::field_defects(std::int32_t cell, std::span<con
   if (strongest <= memory.searched && strongest < memory.weakest) return {};
   // Looking further than asked saves the next searches while the stress rises.
   memory.searched = std::max(memory.searched, 1.5 * strongest);
+  refuse_crowd(corners, memory.searched);
   std::vector<Defect> defects = field_->in_simplex(corners, memory.searched);
   std::erase_if(defects, [&](const Defect& defect) { return state_.spent.contains(defect.id); });
   memory.weakest = std::numeric_limits<double>::infinity();
@@ -95,6 +117,7 @@ std::optional<DefectSearch::Candidate> DefectSearch::candidate(const TestedCell&
   } else {
     const DefectTestKey key{settings_.nucleation.seed, state_.front.mesh().cell(tested.cell).serial,
                             state_.num_tested++};
+    refuse_crowd(cell_corners, strongest);
     for (const DefectTest& test :
          draw_defect_tests(key, cell_corners, settings_.nucleation.density, *distribution_, strongest))
       add(test.position, test.strength, std::nullopt);

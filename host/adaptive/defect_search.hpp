@@ -24,7 +24,8 @@ class DefectSearch {
   explicit DefectSearch(AdaptiveState& state);
 
   /// Tests the cells of one round and appends to state.triggers, in the order of the cells. Reads the elements below
-  /// the cells that hold weak defects from the device.
+  /// the cells that hold weak defects from the device. Throws std::runtime_error, with the place, before it generates
+  /// more defects in a cell than defect_load.hpp allows.
   void search(std::span<const TestedCell> cells);
 
  private:
@@ -42,6 +43,7 @@ class DefectSearch {
     double weakest = 0;   ///< [Pa]
   };
   std::vector<Defect> field_defects(std::int32_t cell, std::span<const Point> corners, double strongest);
+  void refuse_crowd(std::span<const Point> corners, double strongest) const;
   std::optional<Candidate> candidate(const TestedCell& cell);
   void test(const Candidate& candidate, const double* coefficients, const double* inverse_jacobian);
   PlaneStress stress_at(std::int32_t cell, const Point& position, const double* coefficients,

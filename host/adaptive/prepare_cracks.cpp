@@ -45,7 +45,7 @@ class CrackFitter {
     std::snprintf(text, sizeof text,
                   "crack %d at (%.6g, %.6g) m %s. Keep its points inside the domain and its lines off the boundary.",
                   number_, point[0] * unit, point[1] * unit, reason);
-    throw InputError({{{state_.books.simulation.settings.path.string(), 0, 0, "fracture.crack", ""}, text}});
+    throw InputError({{state_.books.simulation.settings.fracture.cracks[number_ - 1].location, text}});
   }
 
   void mark(std::int32_t a, std::int32_t b, double damage) {

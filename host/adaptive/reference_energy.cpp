@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/mesh/simplex_geometry.hpp"
+#include "host/solver/initial_element.hpp"
 #include "host/solver/prescribed_data.hpp"
 
 namespace tentpole {
@@ -14,24 +15,12 @@ namespace {
 
 constexpr int num_time_samples = 64;
 
-/// A cell as the lower facet of an element, for PrescribedData.
-ElementDescriptor flat_element(const Simulation& simulation, int cell) {
-  const SpaceMesh& mesh = simulation.mesh;
-  ElementDescriptor element{};
-  for (int corner = 0; corner <= mesh.dimension; ++corner) {
-    const Point position = mesh.corner_position(cell, corner);
-    std::copy_n(position.begin(), mesh.dimension, element.corner[corner]);
-  }
-  element.material = mesh.cell_region[cell];
-  return element;
-}
-
 /// int rho/2 v.v + sigma:E/2 of the initial data over one cell; modes are orthonormal with respect to the mean.
 double initial_energy(const Simulation& simulation, PrescribedData& data, int cell) {
   const int dimension = simulation.dimension(), num_modes = num_polynomials(dimension, simulation.degree() - 1);
   const Material& material = simulation.scaled_materials[simulation.mesh.cell_region[cell]];
   std::vector<double> block;
-  data.add_initial(flat_element(simulation, cell), dimension + 1, block);
+  data.add_initial(initial_element(simulation, cell), dimension + 1, block);
   double density = 0;
   for (int m = 0; m < num_modes; ++m) {
     double trace = 0, square = 0;

@@ -53,7 +53,8 @@ enum class OutputField { displacement, velocity, stress, strain_energy_density, 
 struct ProbeSettings {
   std::string name;
   std::array<double, 3> point{};  ///< [m]
-  double interval = 0;            ///< [s]; end / 200 unless given
+  SourceLocation point_location{};
+  double interval = 0;  ///< [s]; end / 200 unless given
 };
 
 /// [output]

@@ -1,5 +1,6 @@
 #include "host/case_file/expression.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,7 +16,8 @@ struct Expression::Compiled {
   Compiled(const std::string& text, const Constants& constants) {
     parser.ClearConst();  // muParser's own _pi and _e are not part of the language
     parser.DefineConst("pi", std::numbers::pi);
-    for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+    for (const std::string& name : names_in(text))
+      if (const auto found = constants.find(name); found != constants.end()) parser.DefineConst(name, found->second);
     bind();
     parser.SetExpr(text);
   }
@@ -137,6 +139,21 @@ bool VectorExpression::is_zero() const {
   for (const Expression& component : components_)
     if (!component.is_zero()) return false;
   return true;
+}
+
+std::vector<std::string> names_in(const std::string& text) {
+  static const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", digits = "0123456789";
+  std::vector<std::string> names;
+  for (std::size_t start = 0; (start = text.find_first_of(letters + digits, start)) != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_not_of(letters + digits, start), text.size());
+    // "1e5" and "1.e5" are numbers
+    const bool is_number = digits.find(text[start]) != std::string::npos || (start > 0 && text[start - 1] == '.');
+    if (!is_number) names.push_back(text.substr(start, end - start));
+    start = end;
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
 }
 
 bool is_reserved_name(const std::string& name) {

@@ -64,6 +64,10 @@ class VectorExpression {
   std::vector<Expression> components_;
 };
 
+/// The names in an expression in the order of their letters, each once: coordinates, constants, functions, and whatever
+/// else looks like one. O(length).
+std::vector<std::string> names_in(const std::string& text);
+
 /// True for x, y, z, t, pi and the names of functions: names that no constant may have.
 bool is_reserved_name(const std::string& name);
 

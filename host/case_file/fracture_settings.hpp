@@ -37,7 +37,7 @@ struct CrackSettings {
   std::vector<std::array<double, 3>> points;  ///< [m], corners of the polyline; D = 1: one point
   double damage = 0;                          ///< in [0, 1]: 1 is an open crack, 0 a line along which damage may grow
   std::string side{};                         ///< instead of points: a side inside the body, by name
-  SourceLocation side_location{};
+  SourceLocation location{};                  ///< of the points or the side
 };
 
 /// [fracture]

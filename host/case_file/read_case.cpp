@@ -136,7 +136,7 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   result.domain = context.domain = read_domain(context, path.parent_path());
   result.end_time = context.end_time = read_end_time(context);
   result.degree = read_degree(context);
-  check_mesh_fits(context, result.degree);
+  check_mesh_is_numbered(context);
   result.materials = read_materials(context);
   result.boundaries = read_boundaries(context);
   read_fields(context, result);

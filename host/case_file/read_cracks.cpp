@@ -14,8 +14,11 @@ std::optional<CrackPoint> read_point(const TableReader& reader, const Node& node
   for (const Node& child : node.children)
     if (child.kind == Node::Kind::number || child.kind == Node::Kind::integer) coordinates.push_back(child.number);
   const auto size = static_cast<std::size_t>(domain.dimension);
-  if (node.kind != Node::Kind::array || coordinates.size() != node.children.size() || coordinates.size() != size) {
-    reader.report(node, "is no point. Give an array of " + std::to_string(size) + " number" + (size > 1 ? "s." : "."));
+  const bool are_usable = std::ranges::all_of(coordinates, has_usable_size);
+  if (!are_usable || node.kind != Node::Kind::array || coordinates.size() != node.children.size() ||
+      coordinates.size() != size) {
+    reader.report(node, "is no point. Give an array of " + std::to_string(size) +
+                            (are_usable ? " number" : " finite number") + (size > 1 ? "s." : "."));
     return std::nullopt;
   }
   if (!lies_in_domain(domain, coordinates)) {
@@ -77,7 +80,6 @@ void read_side(const TableReader& reader, const SectionContext& context, CrackSe
   const DomainSettings& domain = context.domain;
   const auto side = reader.text("side", Presence::required);
   crack.side = side.value_or("");
-  crack.side_location = reader.location("side");
   if (side && side->empty()) reader.report("side", "is empty. Name a physical group of the mesh.");
   if (reader.has("points")) reader.report("points", "is given besides side. Remove one of them.");
   if (domain.dimension > 2)
@@ -96,6 +98,7 @@ CrackSettings read_crack(const TableReader& reader, const SectionContext& contex
                      .number("damage", Presence::required,
                              from_to(0, 1, "Give 1 for an open crack, 0 for a line along which damage may grow."))
                      .value_or(0);
+  crack.location = reader.location(reader.has("side") ? "side" : "points");
   if (reader.has("side"))
     read_side(reader, context, crack);
   else

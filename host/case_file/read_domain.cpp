@@ -1,9 +1,6 @@
 #include <cmath>
 #include <limits>
 
-#include <unistd.h>
-
-#include "common/simplex.hpp"
 #include "host/case_file/number_text.hpp"
 #include "host/case_file/sections.hpp"
 
@@ -45,10 +42,6 @@ void read_box(const TableReader& reader, DomainSettings& domain) {
   }
 }
 
-double physical_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 }  // namespace
 
 DomainSettings read_domain(const SectionContext& context, const std::filesystem::path& case_folder) {
@@ -64,23 +57,15 @@ DomainSettings read_domain(const SectionContext& context, const std::filesystem:
   return domain;
 }
 
-void check_mesh_fits(const SectionContext& context, int degree) {
+void check_mesh_is_numbered(const SectionContext& context) {
   const DomainSettings& domain = context.domain;
   if (!domain.is_box() || domain.dimension == 0) return;
   constexpr double simplices_per_cell[4] = {0, 1, 2, 6};
   double num_simplices = simplices_per_cell[domain.dimension];
   for (int axis = 0; axis < domain.dimension; ++axis) num_simplices *= domain.cells[axis];
-  // a lower bound: the coefficients below the front, and once more while a patch is solved
-  const double num_unknowns = domain.dimension * num_polynomials(domain.dimension + 1, degree);
-  const double bytes = num_simplices * 2 * num_unknowns * sizeof(double);
-  const bool too_many = num_simplices > std::numeric_limits<std::int32_t>::max();
-  if (!too_many && bytes <= physical_memory()) return;
-  const double gigabyte = 1e9;
+  if (num_simplices <= std::numeric_limits<std::int32_t>::max()) return;
   context.section("domain").report(
-      "cells", "makes " + number_text(num_simplices) + " simplices, at least " +
-                   number_text(std::ceil(bytes / gigabyte)) + " GB at degree " + std::to_string(degree) +
-                   ", but this machine has " + number_text(std::floor(physical_memory() / gigabyte)) +
-                   " GB and a mesh may have 2147483647 cells. Give fewer cells or a lower degree.");
+      "cells", "makes " + number_text(num_simplices) + " simplices, but a mesh may have 2147483647. Give fewer cells.");
 }
 
 bool lies_in_domain(const DomainSettings& domain, const std::vector<double>& point) {

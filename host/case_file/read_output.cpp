@@ -84,6 +84,7 @@ ProbeSettings read_probe(const TableReader& reader, const SectionContext& contex
     if (point && !lies_in_domain(context.domain, *point))
       reader.report("point", "lies outside the box of [domain]. Give a point between domain.min and domain.max.");
     if (point) std::copy(point->begin(), point->end(), probe.point.begin());
+    probe.point_location = reader.location("point");
   }
   probe.interval = read_interval(reader, "interval", context.end_time);
   return probe;

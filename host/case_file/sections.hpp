@@ -26,8 +26,8 @@ struct SectionContext {
 Constants read_constants(const SectionContext& context);
 /// [domain]
 DomainSettings read_domain(const SectionContext& context, const std::filesystem::path& case_folder);
-/// Reports a box whose mesh cannot be numbered or stored at this polynomial degree.
-void check_mesh_fits(const SectionContext& context, int degree);
+/// Reports a box whose cells cannot be numbered.
+void check_mesh_is_numbered(const SectionContext& context);
 /// [material.REGION]
 std::map<std::string, MaterialProperties> read_materials(const SectionContext& context);
 /// [boundary.SIDE]; a box must have all its sides, of which a periodic one may stand for its partner too.

@@ -15,6 +15,10 @@ bool is_number(const Node& node) {
 
 }  // namespace
 
+bool has_usable_size(double value) {
+  return value == 0 || (1e-100 <= std::abs(value) && std::abs(value) <= 1e100);
+}
+
 Rule positive(const std::string& advice) {
   return {[](double value) { return value > 0; }, "must be positive", advice};
 }
@@ -95,9 +99,12 @@ const Node* TableReader::expect(const std::string& key, Presence presence, std::
 }
 
 bool TableReader::obeys(const Node& node, const Rule& rule) const {
-  if (std::isfinite(node.number) && rule.holds(node.number)) return true;
-  const std::string finite = std::isfinite(node.number) ? "" : "must be finite and ";
-  report(node, finite + rule.requirement + ". " + rule.advice);
+  const bool is_usable = has_usable_size(node.number);
+  if (is_usable && rule.holds(node.number)) return true;
+  const std::string size = is_usable                    ? ""
+                           : std::isfinite(node.number) ? "must be 0 or of a size from 1e-100 to 1e100, and "
+                                                        : "must be finite and ";
+  report(node, size + rule.requirement + ". " + rule.advice);
   return false;
 }
 

@@ -19,6 +19,9 @@ struct Rule {
   std::string advice;       ///< the way out: "Give the mass density in kg/m^3."
 };
 
+/// Numbers beyond these bounds have products that overflow, or are 0, so no key takes them, whatever its rule is.
+bool has_usable_size(double value);
+
 Rule positive(const std::string& advice);
 Rule not_negative(const std::string& advice);
 /// low < value < high.

@@ -21,8 +21,16 @@ void limit_threads(int threads) {
 
 }  // namespace
 
+ThreadChoice choose_threads(const CaseOptions& options) {
+  return choose_threads(thread_supply(), options.threads);
+}
+
 Simulation read_simulation(const CaseOptions& options) {
-  limit_threads(options.threads > 0 ? options.threads : omp_get_max_threads());
+  const ThreadChoice choice = choose_threads(options);
+  if (choice.threads < options.threads)
+    std::cerr << "warning: --threads " << options.threads << ": only " << choice.threads << ", by " << choice.reason
+              << "\n";
+  limit_threads(choice.threads);
   Case settings = read_case(options.case_file, options.overrides);
   if (options.seed) set_seed(settings, *options.seed);
   Simulation simulation = make_simulation(std::move(settings));

@@ -8,7 +8,7 @@
 #include "host/case_file/input_error.hpp"
 #include "host/case_file/nearest_name.hpp"
 #include "host/command_line/commands.hpp"
-#include "host/command_line/quiet_hdf5.hpp"
+#include "host/command_line/prepare_hdf5.hpp"
 #include "host/mesh/mesh_error.hpp"
 #include "host/mesh/printable.hpp"
 #include "host/output/machine_info.hpp"
@@ -23,7 +23,7 @@ constexpr int failed = 1, bad_input = 2;
 struct Arguments {
   RunCommand run;
   CompareCommand compare;
-  CaseOptions check;
+  CheckCommand check;
   std::filesystem::path described;
   ModelCommand model;
   std::optional<std::filesystem::path> calibrate;
@@ -37,13 +37,18 @@ void add_case_options(CLI::App& command, CaseOptions& input) {
       ->allow_extra_args(false);
   command.add_option("--seed", input.seed, "seed of an unstructured mesh and of the defects of nucleation")
       ->type_name("N");
-  command.add_option("--threads", input.threads, "number of threads (default: all)")
+  command.add_option("--threads", input.threads, "number of threads (default: as many as cores)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096).description(""));
 }
 
 void add_device_option(CLI::App& command, std::optional<int>& device, const std::string& description) {
   command.add_option("--device", device, description)->type_name("N");
+}
+
+void add_offload_options(CLI::App& command, bool& offload, std::optional<int>& device) {
+  command.add_flag("--offload", offload, "solve on an OpenMP device: a GPU, or else the virtual device");
+  add_device_option(command, device, "the device with this number in `tentpole devices`; implies --offload");
 }
 
 void add_run(CLI::App& app, RunCommand& command) {
@@ -55,10 +60,15 @@ void add_run(CLI::App& app, RunCommand& command) {
       run->add_option("--resume", command.resume, "go on from a checkpoint, in its folder")->type_name("FILE");
   run->add_flag("--force", command.force, "resume also from a checkpoint that another build of the program wrote")
       ->needs(resume);
-  run->add_flag("--offload", command.offload, "solve on an OpenMP device: a GPU, or else the virtual device");
-  add_device_option(*run, command.device, "the device with this number in `tentpole devices`; implies --offload");
+  add_offload_options(*run, command.offload, command.device);
   run->add_flag("--check", command.check, "verify the energy balance of every patch");
   run->add_flag("--quiet", command.quiet, "print notes, warnings and errors only");
+}
+
+void add_check(CLI::App& app, CheckCommand& command) {
+  CLI::App* check = app.add_subcommand("check", "validate a case and say what would run");
+  add_case_options(*check, command.input);
+  add_offload_options(*check, command.offload, command.device);
 }
 
 void add_compare(CLI::App& app, CompareCommand& command) {
@@ -146,7 +156,7 @@ int dispatch(int argc, char** argv) {
   describe_program(app);
   Arguments arguments;
   add_run(app, arguments.run);
-  add_case_options(*app.add_subcommand("check", "validate a case and say what would run"), arguments.check);
+  add_check(app, arguments.check);
   add_compare(app, arguments.compare);
   add_devices(app, arguments);
   app.add_subcommand("info", "describe a result folder, or a .json, .csv, .vtkhdf or .h5 file of one")
@@ -175,7 +185,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-  keep_hdf5_quiet();
+  prepare_hdf5();
   try {
     return dispatch(argc, argv);
   } catch (const InputError& error) {

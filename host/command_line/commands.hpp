@@ -25,7 +25,13 @@ struct RunCommand {
 };
 int run_command(const RunCommand& command);
 
-int check_command(const CaseOptions& input);
+/// Everything that `run` with the same options does before its first patch.
+struct CheckCommand {
+  CaseOptions input;
+  bool offload = false;
+  std::optional<int> device;
+};
+int check_command(const CheckCommand& command);
 
 struct CompareCommand {
   CaseOptions input;

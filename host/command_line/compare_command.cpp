@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -47,15 +48,19 @@ class TemporaryFolder {
 
 RunResult run_on(const Simulation& simulation, const Device& device, const CompareCommand& command,
                  const fs::path& folder, const Interrupt& interrupt) {
-  const PreparedFolder prepared = prepare_result_folder(folder);
-  if (prepared.moved_aside)
-    std::cerr << "note: the older result in " << printable(folder.string()) << " is now in "
-              << printable(prepared.moved_aside->string()) << "\n";
-  std::cout << "running on " << device.name << "\n" << std::flush;
   RunOptions options;
   options.device = device;
-  options.threads = command.input.threads;
-  options.folder = prepared.path;
+  options.threads = choose_threads(command.input).threads;
+  options.folder = folder;
+  std::optional<PreparedFolder> prepared;
+  options.prepare_folder = [&] {
+    prepared.emplace(prepare_result_folder(folder));
+    if (prepared->moved_aside)
+      std::cerr << "note: the older result in " << printable(folder.string()) << " is now in "
+                << printable(prepared->moved_aside->string()) << "\n";
+    std::cout << "running on " << device.name << "\n" << std::flush;
+  };
+  options.require_folder = [&] { prepared->lock.require(); };
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
   options.report = [&](const Progress& now) { progress.update(now); };
   options.interrupted = [&] { return interrupt.requested(); };
@@ -106,12 +111,13 @@ void print_difference(const ResultDifference& difference) {
 }  // namespace
 
 int compare_command(const CompareCommand& command) {
+  outlive_failed_writes();
   const Simulation simulation = read_simulation(command.input);
   const Device device = choose_device(true, command.device);
   const Interrupt interrupt("\nfinishing the batch; a second Ctrl-C quits at once\n");
   std::optional<TemporaryFolder> temporary;
   const fs::path folder = command.out ? *command.out : temporary.emplace().path();
-  std::cout << header_text(simulation, device, command.input.threads);
+  std::cout << header_text(simulation, device, choose_threads(command.input));
   const RunResult on_host = run_on(simulation, host_device(), command, folder / "host", interrupt);
   if (on_host.interrupted) return 130;
   const RunResult on_device = run_on(simulation, device, command, folder / "device", interrupt);

@@ -1,5 +1,6 @@
 #include "host/command_line/interrupt.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 
@@ -12,16 +13,16 @@ namespace {
 volatile std::sig_atomic_t signal_came = 0;
 const char* first_message = "";
 
-void stop_catching() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
+constexpr int caught_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU};
 
 /// Calls functions that are safe in a signal handler only (signal, strlen, write).
 extern "C" void note_signal(int) {
+  std::signal(SIGINT, SIG_DFL);
+  if (signal_came != 0) return;
   signal_came = 1;
-  stop_catching();
+  const int error = errno;  // of the code that was interrupted
   [[maybe_unused]] const auto written = write(STDERR_FILENO, first_message, std::strlen(first_message));
+  errno = error;
 }
 
 }  // namespace
@@ -29,16 +30,24 @@ extern "C" void note_signal(int) {
 Interrupt::Interrupt(const char* message) {
   signal_came = 0;
   first_message = message;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
+  for (const int number : caught_signals) {
+    const auto before = std::signal(number, note_signal);
+    if (number == SIGHUP && before == SIG_IGN) std::signal(number, SIG_IGN);
+  }
 }
 
 Interrupt::~Interrupt() {
-  stop_catching();
+  for (const int number : caught_signals)
+    if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);
 }
 
 bool Interrupt::requested() const {
   return signal_came != 0;
+}
+
+void outlive_failed_writes() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace tentpole

@@ -26,6 +26,12 @@ std::string count_text(std::int64_t count) {
   return text;
 }
 
+std::string estimate_text(double count) {
+  constexpr double largest_exact = 1e15;
+  return std::abs(count) < largest_exact ? count_text(static_cast<std::int64_t>(std::llround(count)))
+                                         : short_number(count);
+}
+
 std::string bytes_text(double num_bytes) {
   const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
   int unit = 0;
@@ -39,6 +45,7 @@ std::string bytes_text(double num_bytes) {
 std::string duration_text(double seconds) {
   if (seconds < 9.9995) return formatted("%.3f s", seconds);
   if (seconds < 59.95) return formatted("%.1f s", seconds);
+  if (!(seconds < 1e11)) return short_number(seconds / (365.25 * 86400)) + " years";
   const auto whole = std::llround(seconds);
   if (whole < 3600) return formatted("%lld min %02lld s", whole / 60, whole % 60);
   return formatted("%lld h %02lld min", whole / 3600, whole % 3600 / 60);

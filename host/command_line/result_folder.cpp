@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <unistd.h>
+
 #include "host/case_file/input_error.hpp"
 
 namespace tentpole {
@@ -30,6 +32,21 @@ fs::path first_free_name(const fs::path& folder) {
   }
 }
 
+/// Refuses where a run works in it.
+fs::path move_aside(const fs::path& folder) {
+  std::optional<FolderLock> lock;
+  if (access(folder.c_str(), W_OK) == 0) lock.emplace(folder);  // no run works where nobody may write
+  const fs::path free_name = first_free_name(folder);
+  fs::rename(folder, free_name);
+  return free_name;
+}
+
+bool holds_other_files(const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != FolderLock::file_name) return true;
+  return false;
+}
+
 }  // namespace
 
 fs::path default_result_folder(const fs::path& case_file) {
@@ -43,28 +60,37 @@ bool holds_result(const fs::path& folder) {
 }
 
 PreparedFolder prepare_result_folder(const fs::path& given) {
-  PreparedFolder result{without_slash(given), std::nullopt};
-  const std::string name = result.path.string();
+  const fs::path path = without_slash(given);
+  const std::string name = path.string();
+  std::optional<fs::path> moved_aside;
   try {
-    if (fs::exists(result.path)) {
-      if (!fs::is_directory(result.path))
+    if (fs::exists(path)) {
+      if (!fs::is_directory(path))
         throw InputError(name + ": is a file, so no result folder can have this name. Give another one with --out.");
-      if (holds_result(result.path)) {
-        result.moved_aside = first_free_name(result.path);
-        fs::rename(result.path, *result.moved_aside);
-      } else if (!fs::is_empty(result.path)) {
+      if (holds_result(path)) {
+        moved_aside = move_aside(path);
+      } else if (holds_other_files(path)) {
         throw InputError(
             name +
             ": this folder holds files that are no result of tentpole, and results do not mix with others. "
             "Give a new or empty folder with --out.");
       }
     }
-    fs::create_directories(result.path);
+    fs::create_directories(path);
+    return {path, FolderLock(path), moved_aside};
   } catch (const fs::filesystem_error& error) {
     throw InputError(name + ": cannot be made a result folder (" + error.code().message() +
                      "). Give another one with --out.");
   }
-  return result;
+}
+
+PreparedFolder reopen_result_folder(const fs::path& folder) {
+  try {
+    return {folder, FolderLock(folder), std::nullopt};
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(folder.string() + ": a run cannot go on in this folder (" + error.code().message() +
+                     "). Copy it to where you may write, and resume there.");
+  }
 }
 
 }  // namespace tentpole

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <optional>
 
 #include "host/command_line/commands.hpp"
 #include "host/command_line/interrupt.hpp"
@@ -27,14 +28,18 @@ fs::path resumed_folder(const RunCommand& command) {
   return folder;
 }
 
-fs::path ready_folder(const RunCommand& command) {
+fs::path result_folder(const RunCommand& command) {
   if (command.resume) return resumed_folder(command);
-  const PreparedFolder folder =
-      prepare_result_folder(command.out ? *command.out : default_result_folder(command.input.case_file));
+  return command.out ? *command.out : default_result_folder(command.input.case_file);
+}
+
+PreparedFolder ready_folder(const RunCommand& command, const fs::path& path) {
+  if (command.resume) return reopen_result_folder(path);
+  PreparedFolder folder = prepare_result_folder(path);
   if (folder.moved_aside)
     std::cerr << "note: the older result in " << printable(folder.path.string()) << " is now in "
               << printable(folder.moved_aside->string()) << "\n";
-  return folder.path;
+  return folder;
 }
 
 /// As a shell takes it; letters that a terminal must not see appear as escapes in $'..'.
@@ -70,19 +75,26 @@ std::string resuming_command(const RunCommand& command, const fs::path& checkpoi
 }  // namespace
 
 int run_command(const RunCommand& command) {
+  outlive_failed_writes();
   const Simulation simulation = read_simulation(command.input);
   RunOptions options;
   options.device = choose_device(command.offload, command.device);
-  options.threads = command.input.threads;
+  const ThreadChoice threads = choose_threads(command.input);
+  options.threads = threads.threads;
   options.check = command.check;
   options.resume = command.resume;
   options.any_build = command.force;
-  options.note = [](const std::string& text) { std::cerr << "note: " << text << "\n"; };
-  options.folder = ready_folder(command);
-  if (!command.quiet) std::cout << header_text(simulation, options.device, options.threads) << std::flush;
+  options.note = [](const std::string& text) { std::cerr << "note: " << printable_lines(text) << "\n"; };
+  options.folder = result_folder(command);
+  std::optional<PreparedFolder> folder;
+  options.prepare_folder = [&] {
+    folder.emplace(ready_folder(command, options.folder));
+    if (!command.quiet) std::cout << header_text(simulation, options.device, threads) << std::flush;
+  };
+  options.require_folder = [&] { folder->lock.require(); };
+  const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
 
   ProgressBar progress(ProgressBar::style_of_stdout(command.quiet));
-  const Interrupt interrupt("\nfinishing the batch and writing a checkpoint; a second Ctrl-C quits at once\n");
   double front_time = 0;
   options.report = [&](const Progress& now) {
     front_time = now.front_time;

@@ -96,11 +96,13 @@ std::string cell_kind_text(int dimension) {
   return kinds[dimension];
 }
 
-std::string header_text(const Simulation& simulation, const Device& device, int threads) {
+std::string header_text(const Simulation& simulation, const Device& device, const ThreadChoice& choice) {
   const SpaceMesh& mesh = simulation.mesh;
   const int dimension = mesh.dimension;
   const int num_unknowns = dimension * num_polynomials(dimension + 1, simulation.degree());
-  const int num_threads = threads > 0 && device.kind != DeviceKind::gpu ? threads : device.num_threads;
+  const bool on_cores = device.kind != DeviceKind::gpu;
+  const int num_threads = on_cores ? choice.threads : device.num_threads;
+  const std::string reason = on_cores && !choice.reason.empty() ? " (" + choice.reason + ")" : "";
   const std::string number = device.is_host ? "" : std::to_string(device.number) + ": ";
   return printable(simulation.settings.title) + "\n" +
          text_table({{"mesh", std::to_string(dimension) + "D, " + count_text(mesh.num_cells()) + " " +
@@ -110,7 +112,7 @@ std::string header_text(const Simulation& simulation, const Device& device, int 
                                     " unknowns per spacetime element"},
                      {"end", short_number(simulation.settings.end_time) + " s"},
                      {"device", number + device.name + ", " + count_text(num_threads) +
-                                    (num_threads == 1 ? " thread" : " threads")}},
+                                    (num_threads == 1 ? " thread" : " threads") + reason}},
                     "ll");
 }
 

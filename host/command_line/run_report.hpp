@@ -4,6 +4,7 @@
 #include <string>
 
 #include "device/device.hpp"
+#include "device/thread_choice.hpp"
 #include "host/output/run_summary.hpp"
 #include "host/solver/simulation.hpp"
 
@@ -14,8 +15,8 @@ namespace tentpole {
 /// "triangles", after the dimension.
 std::string cell_kind_text(int dimension);
 
-/// Title, mesh, unknowns, end time and device, one line each.
-std::string header_text(const Simulation& simulation, const Device& device, int threads);
+/// Title, mesh, unknowns, end time and device with its threads, one line each.
+std::string header_text(const Simulation& simulation, const Device& device, const ThreadChoice& choice);
 
 /// Counts, time per stage with its share, energies with their balance, errors and traffic where there are any.
 std::string summary_text(const RunSummary& summary);

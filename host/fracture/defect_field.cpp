@@ -55,6 +55,13 @@ double DefectField::mean_number(double measure, double strongest) const {
   return density_ * measure * distribution_.probability(strongest);
 }
 
+double DefectField::mean_number_searched(double measure, double strongest) const {
+  double rank = 0;
+  for (const Layer& layer : layers_)
+    if (layer.weakest <= strongest) rank = std::max(rank, layer.highest_rank);
+  return density_ * measure * rank;
+}
+
 void DefectField::add_box(const DefectId& box, const Region& region, double strongest,
                           std::vector<Defect>& defects) const {
   const RandomKey key{seed_, RandomPurpose::defect_field};

@@ -48,6 +48,8 @@ class DefectField {
   std::vector<Defect> in_simplex(std::span<const Point> corners, double strongest) const;
   /// Expected number of such defects in a region of this length or area.
   double mean_number(double measure, double strongest) const;
+  /// Expected number of defects that a query of such a region generates: those of all layers up to the cut-off.
+  double mean_number_searched(double measure, double strongest) const;
 
  private:
   struct Region;

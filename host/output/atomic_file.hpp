@@ -8,7 +8,7 @@ namespace tentpole {
 
 /// Writes a file so that its final name never shows an incomplete one: `write` fills a hidden file beside it
 /// (.NAME.partial), which is flushed to the disk and then renamed. Throws std::runtime_error with the path and the
-/// reason.
+/// reason, FolderLost if the folder was deleted, moved or replaced meanwhile.
 void replace_file(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
 
 /// The same for text.

@@ -41,7 +41,6 @@ CrackSeries::CrackSeries(Options options) : options_(std::move(options)), segmen
   if (options_.dimension != 1 && options_.dimension != 2)
     throw std::invalid_argument("cracks are written in one and two dimensions, not in " +
                                 std::to_string(options_.dimension));
-  std::filesystem::create_directories(options_.folder);
 }
 
 void CrackSeries::add(int index, const CrackSegment& segment) {
@@ -84,6 +83,11 @@ void CrackSeries::load(std::istream& stream) {
     }
   }
   num_written_ = num_written;
+}
+
+void CrackSeries::add_written(WrittenFiles& files) const {
+  for (int index = 0; index < num_written_; ++index) files.push_back({options_.folder / file_name(index)});
+  if (num_written_ > 0) files.push_back({options_.folder / "cracks.vtkhdf.series"});
 }
 
 }  // namespace tentpole

@@ -9,6 +9,7 @@
 #include "common/simplex.hpp"
 #include "host/output/crack_strip.hpp"
 #include "host/output/time_coverage.hpp"
+#include "host/output/written_files.hpp"
 
 namespace tentpole {
 
@@ -54,6 +55,9 @@ class CrackSeries {
   /// For checkpoints: how many files are written, and the segments of the others.
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+
+  /// The files written so far.
+  void add_written(WrittenFiles& files) const;
 
  private:
   Options options_;

@@ -8,30 +8,69 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "host/output/binary_stream.hpp"
 
 namespace tentpole {
+namespace {
 
-CsvFile::CsvFile(std::filesystem::path file, std::string header) : file_(std::move(file)), header_(std::move(header)) {}
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+}  // namespace
+
+CsvFile::CsvFile(std::filesystem::path file, std::string header)
+    : file_(std::move(file)), header_(std::move(header)) {}
 
 void CsvFile::append(std::string_view lines) {
-  const bool first = num_bytes_ == 0;
-  std::string text = first ? header_ + "\n" : std::string();
+  std::string text = num_bytes_ == 0 ? header_ + "\n" : std::string();
   text += lines;
-  const int descriptor = open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | (first ? O_TRUNC : 0), 0666);
+  const Descriptor descriptor = open_own();
   const auto written = descriptor < 0 ? ssize_t{-1} : write(descriptor, text.data(), text.size());
   const int error = errno;
-  const bool complete = written == static_cast<ssize_t>(text.size());
+  const bool complete = written == std::ssize(text);
   // A full disk can take the beginning of a line; the file keeps whole lines only.
   const bool cut = complete || written <= 0 || ftruncate(descriptor, num_bytes_) == 0;
-  if (descriptor >= 0) close(descriptor);
   if (!complete)
     throw std::runtime_error(
         file_.string() + ": cannot append rows: " + (written < 0 ? std::strerror(error) : "the disk is full") +
         (cut ? "" : ", and its last line is incomplete") + ". Check the free space and the permissions of the folder.");
-  num_bytes_ += static_cast<std::int64_t>(text.size());
+  num_bytes_ += written;
+}
+
+/// Through its folder, so that the file opened lies in the folder that was looked at.
+Descriptor CsvFile::open_own() {
+  const Descriptor folder(open(folder_of(file_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const std::optional<FileIdentity> now = identity_of(folder);
+  if (!folder_) folder_ = now;
+  if (!now || now != folder_) lose(now ? "another folder has taken the place of its own" : "its folder is gone");
+  const bool creates = num_bytes_ == 0 && !identity_;
+  Descriptor file(openat(folder, file_.filename().c_str(),
+                         O_WRONLY | O_APPEND | O_CLOEXEC | (creates ? O_CREAT | O_TRUNC : 0), 0666));
+  if (file < 0 && errno == ENOENT) lose("it was deleted");
+  if (file >= 0) check_own(file);
+  return file;
+}
+
+void CsvFile::check_own(int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) lose(std::strerror(errno));
+  const bool begins = !identity_;
+  if (begins) identity_ = FileIdentity{status.st_dev, status.st_ino};
+  if (identity_ != FileIdentity{status.st_dev, status.st_ino}) lose("another file has taken its place");
+  // A resumed run takes back the rows that came after its checkpoint.
+  const bool cut = begins && status.st_size > num_bytes_ && ftruncate(descriptor, num_bytes_) == 0;
+  if (status.st_size != num_bytes_ && !cut)
+    lose("the run wrote " + std::to_string(num_bytes_) + " bytes and it has " + std::to_string(status.st_size));
+}
+
+void CsvFile::lose(const std::string& what) const {
+  throw FolderLost(file_.string() + ": the table is not this run's any more: " + what +
+                   ". Nothing was written there. Let each run have a folder of its own, and start this one anew or go "
+                   "on from a checkpoint.");
 }
 
 void CsvFile::save(std::ostream& stream) const {
@@ -40,14 +79,10 @@ void CsvFile::save(std::ostream& stream) const {
 
 void CsvFile::load(std::istream& stream) {
   num_bytes_ = read_number(stream, std::numeric_limits<std::int64_t>::max(), "the length of a table");
-  if (num_bytes_ == 0) return;
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file_, error);
-  if (error || static_cast<std::int64_t>(size) < num_bytes_)
-    throw std::runtime_error(file_.string() + ": the checkpoint expects " + std::to_string(num_bytes_) +
-                             " bytes and the file " + (error ? "is missing" : "has " + std::to_string(size)) +
-                             ". Resume in the result folder that the checkpoint belongs to.");
-  std::filesystem::resize_file(file_, static_cast<std::uintmax_t>(num_bytes_));
+}
+
+void CsvFile::add_written(WrittenFiles& files) const {
+  if (num_bytes_ > 0) files.push_back({file_, num_bytes_});
 }
 
 void append_number(std::string& line, double value) {

@@ -3,30 +3,44 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "host/output/descriptor.hpp"
+#include "host/output/file_identity.hpp"
+#include "host/output/written_files.hpp"
+
 namespace tentpole {
 
-/// A table that grows by whole lines: a header line, then rows. The file is created by the first append, so a resumed
-/// run can call `load` before anything is overwritten.
+/// A table that grows by whole lines: a header line, then rows. The file is created by the first append, or cut back to
+/// what was loaded, so a resumed run touches nothing before. From then on it is this run's alone.
 class CsvFile {
  public:
   CsvFile(std::filesystem::path file, std::string header);
 
   /// Appends complete lines in one write; other processes see all of them or none. Throws std::runtime_error if the
-  /// file cannot be written.
+  /// file cannot be written, FolderLost if its folder or itself was deleted, replaced or written by others meanwhile;
+  /// what is there now stays as it is.
   void append(std::string_view lines);
 
-  /// The length of the file goes into a checkpoint; `load` cuts the file back to it and throws std::runtime_error if
-  /// the file is shorter than that.
+  /// The length of the file goes into a checkpoint.
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
 
+  /// The file, if it has rows; at least as long as the rows written.
+  void add_written(WrittenFiles& files) const;
+
  private:
+  Descriptor open_own();
+  void check_own(int descriptor);
+  [[noreturn]] void lose(const std::string& what) const;
+
   std::filesystem::path file_;
   std::string header_;
   std::int64_t num_bytes_ = 0;
+  std::optional<FileIdentity> folder_;    ///< of the file, from the first append on
+  std::optional<FileIdentity> identity_;  ///< of the file, likewise
 };
 
 /// Adds the shortest decimal number that reads back as `value`.

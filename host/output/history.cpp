@@ -100,7 +100,6 @@ std::string History::Impl::line(int index, const FlowSums& cumulative, const Fro
 
 History::History(const std::filesystem::path& folder, double interval, double end) {
   std::vector<double> times = times_at_interval(interval, end);
-  std::filesystem::create_directories(folder);
   impl_ = std::make_unique<Impl>(Impl{.file = CsvFile(folder / "history.csv", header),
                                       .times = times,
                                       .rows = std::vector<Row>(times.size()),
@@ -112,6 +111,10 @@ History::History(const std::filesystem::path& folder, double interval, double en
 History::~History() = default;
 History::History(History&&) noexcept = default;
 History& History::operator=(History&&) noexcept = default;
+
+std::size_t History::bytes_per_row() {
+  return sizeof(Row) + sizeof(double);
+}
 
 const std::vector<double>& History::times() const {
   return impl_->times;
@@ -196,6 +199,10 @@ void History::load(std::istream& stream) {
     throw std::runtime_error("the checkpoint has " + std::to_string(rows.size()) + " history rows and the case " +
                              std::to_string(impl_->rows.size()) + "; resume with the case file of the checkpoint");
   impl_->rows = std::move(rows);
+}
+
+void History::add_written(WrittenFiles& files) const {
+  impl_->file.add_written(files);
 }
 
 }  // namespace tentpole

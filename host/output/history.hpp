@@ -8,6 +8,7 @@
 
 #include "host/fracture/crack_edge_state.hpp"
 #include "host/output/time_coverage.hpp"
+#include "host/output/written_files.hpp"
 
 namespace tentpole {
 
@@ -44,6 +45,9 @@ class History {
   History(History&&) noexcept;
   History& operator=(History&&) noexcept;
 
+  /// Memory that every row takes from the beginning to the end of a run.
+  static std::size_t bytes_per_row();
+
   const std::vector<double>& times() const;
 
   /// The rows that an element with this time range covers.
@@ -66,9 +70,10 @@ class History {
   /// Appends and flushes the rows that the front has passed, whole lines only, each with `state`.
   void finish(double front_minimum_time, const FrontState& state);
 
-  /// For checkpoints; `load` cuts the file back to the saved rows.
+  /// For checkpoints; the next rows come after the saved ones.
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+  void add_written(WrittenFiles& files) const;
 
  private:
   struct Impl;

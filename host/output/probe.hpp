@@ -28,6 +28,9 @@ class Probe {
   /// Throws std::invalid_argument for times out of order or a name that cannot be part of a file name.
   Probe(int dimension, const std::filesystem::path& folder, ProbeOptions options);
 
+  /// Memory that every sample time takes from the beginning to the end of a run.
+  static constexpr std::size_t bytes_per_row() { return sizeof(Sample) + sizeof(double); }
+
   const std::string& name() const { return options_.name; }
 
   /// Whether an element with this time range and bounding box [D] may contain the point at a sample time.
@@ -41,6 +44,7 @@ class Probe {
 
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+  void add_written(WrittenFiles& files) const { file_.add_written(files); }
 
  private:
   struct Sample {

@@ -14,6 +14,7 @@ struct Recorder::Impl {
   OrthonormalBasis basis;
   SnapshotSeries snapshots;
   std::vector<Probe> probes;
+  std::function<void()> require_folder;
 };
 
 namespace {
@@ -33,10 +34,10 @@ Recorder::Recorder(RecorderOptions options) {
   for (const ProbeOptions& probe : options.probes)
     if (!names.insert(probe.name).second)
       throw std::invalid_argument("two probes are called \"" + probe.name + "\"; names must differ");
-  std::filesystem::create_directories(options.folder);
   impl_ = std::make_unique<Impl>(Impl{.basis = OrthonormalBasis(options.dimension + 1, options.degree),
                                       .snapshots = SnapshotSeries(snapshot_options(options)),
-                                      .probes = {}});
+                                      .probes = {},
+                                      .require_folder = std::move(options.require_folder)});
   for (ProbeOptions& probe : options.probes)
     impl_->probes.emplace_back(options.dimension, options.folder, std::move(probe));
 }
@@ -59,6 +60,7 @@ void Recorder::record(const SpacetimeElement& element) {
 }
 
 void Recorder::finish(double front_minimum_time) {
+  impl_->require_folder();
   impl_->snapshots.finish(front_minimum_time);
   for (Probe& probe : impl_->probes) probe.finish(front_minimum_time);
 }
@@ -71,6 +73,11 @@ void Recorder::save(std::ostream& stream) const {
 void Recorder::load(std::istream& stream) {
   impl_->snapshots.load(stream);
   for (Probe& probe : impl_->probes) probe.load(stream);
+}
+
+void Recorder::add_written(WrittenFiles& files) const {
+  impl_->snapshots.add_written(files);
+  for (const Probe& probe : impl_->probes) probe.add_written(files);
 }
 
 }  // namespace tentpole

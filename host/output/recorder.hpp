@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <span>
@@ -16,11 +17,13 @@ struct RecorderOptions {
   int dimension = 0;
   int degree = 0;
   bool plane_stress = false;           ///< D = 2: the out-of-plane stress is 0 instead of lambda tr E
-  std::filesystem::path folder;        ///< created if absent
+  std::filesystem::path folder;        ///< must exist when the first file is written
   std::vector<double> snapshot_times;  ///< [s], ascending
   /// Among displacement, velocity, stress, strain_energy_density, and damage, which is one value per element.
   std::vector<std::string> fields;
   std::vector<ProbeOptions> probes;
+  /// Called before files are written; throws FolderLost if that must not be.
+  std::function<void()> require_folder = [] {};
 };
 
 /// Turns solved elements into snapshot_NNNN.vtkhdf (with snapshot.vtkhdf.series) and probe_NAME.csv.
@@ -46,10 +49,13 @@ class Recorder {
   /// the end with the end time. Throws std::runtime_error if a probe lies in no element.
   void finish(double front_minimum_time);
 
-  /// What a checkpoint needs to go on bitwise: pending pieces, samples and positions in the files. `load` cuts the
-  /// files back to that state; the options must be the same.
+  /// What a checkpoint needs to go on bitwise: pending pieces, samples and positions in the files. After `load` the
+  /// output goes on from there; the options must be the same.
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+
+  /// The files written so far.
+  void add_written(WrittenFiles& files) const;
 
  private:
   struct Impl;

@@ -213,4 +213,9 @@ void SnapshotSeries::load(std::istream& stream) {
   }
 }
 
+void SnapshotSeries::add_written(WrittenFiles& files) const {
+  for (int index = 0; index < num_written_; ++index) files.push_back({options_.folder / snapshot_name(index)});
+  if (num_written_ > 0) files.push_back({options_.folder / "snapshot.vtkhdf.series"});
+}
+
 }  // namespace tentpole

@@ -10,6 +10,7 @@
 #include "host/output/spacetime_element.hpp"
 #include "host/output/time_coverage.hpp"
 #include "host/output/vtkhdf_writer.hpp"
+#include "host/output/written_files.hpp"
 
 namespace tentpole {
 
@@ -49,6 +50,9 @@ class SnapshotSeries {
 
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
+
+  /// The files written so far.
+  void add_written(WrittenFiles& files) const;
 
  private:
   void write_snapshot(int index);

@@ -131,17 +131,24 @@ void write_grid(hid_t root, const UnstructuredGrid& grid) {
   write_dataset(field, "time", std::vector<double>{grid.time});
 }
 
+void write_grid_file(const std::filesystem::path& file, const UnstructuredGrid& grid) {
+  const Handle creation = untimed(H5P_FILE_CREATE);
+  const Handle handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT), H5Fclose, "create the file");
+  const Handle root = create_group(handle, "VTKHDF");
+  write_grid(root, grid);
+  require(H5Fflush(handle, H5F_SCOPE_LOCAL), "flush the file");
+}
+
 }  // namespace
 
 void write_vtkhdf(const std::filesystem::path& file, const UnstructuredGrid& grid) {
   check_grid(grid);
   replace_file(file, [&](const std::filesystem::path& partial) {
-    const Handle creation = untimed(H5P_FILE_CREATE);
-    const Handle handle(H5Fcreate(partial.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT), H5Fclose,
-                        "create " + partial.string());
-    const Handle root = create_group(handle, "VTKHDF");
-    write_grid(root, grid);
-    require(H5Fflush(handle, H5F_SCOPE_LOCAL), "flush " + partial.string());
+    try {
+      write_grid_file(partial, grid);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(file.string() + ": " + error.what());
+    }
   });
 }
 

@@ -114,6 +114,15 @@ void require_same_build(const std::filesystem::path& file, const std::vector<std
         "an uninterrupted run.");
 }
 
+/// Before anything is written: a run whose earlier output is gone would end with an incomplete result.
+void require_output(const RunBooks& books, const FrontMarch& march) {
+  WrittenFiles files;
+  books.recorder.add_written(files);
+  books.history.add_written(files);
+  march.add_written(files);
+  require_written(files);
+}
+
 /// Waits until the rows of all tables in the folder are on the disk.
 void flush_tables(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -160,6 +169,7 @@ void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMa
     restore(books.ledger, contents.ledger, "ledger");
     restore(books.recorder, contents.recorder, "recorder");
     restore(books.history, contents.history, "history");
+    require_output(books, march);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

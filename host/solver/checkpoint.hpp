@@ -15,12 +15,12 @@ namespace tentpole {
 void save_checkpoint(const std::filesystem::path& file, const std::filesystem::path& result_folder, RunBooks& books,
                      const FrontMarch& march);
 
-/// Puts a checkpoint into the state of a run that has not begun, and cuts the output tables back to it. Batch size,
-/// threads and device may differ from those of the run that wrote it.
-/// Throws InputError, before any output file is touched, for a file that is damaged, no checkpoint, or of a run with
-/// other settings (naming the first one that differs); also if the output tables are missing or too short. A checkpoint
-/// of another build (build_identity()) is refused unless `any_build`: the program may round differently, so that the
-/// result is not bit for bit that of an uninterrupted run.
+/// Puts a checkpoint into the state of a run that has not begun; its next rows follow those that the checkpoint knows.
+/// Batch size, threads and device may differ from those of the run that wrote it. Touches no output file.
+/// Throws InputError for a file that is damaged, no checkpoint, or of a run with other settings (naming the first one
+/// that differs); also if output that the run had written is missing or too short. A checkpoint of another build
+/// (build_identity()) is refused unless `any_build`: the program may round differently, so that the result is not bit
+/// for bit that of an uninterrupted run.
 void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march, bool any_build = false);
 
 }  // namespace tentpole

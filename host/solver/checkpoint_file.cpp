@@ -9,6 +9,7 @@
 
 #include "host/case_file/input_error.hpp"
 #include "host/output/atomic_file.hpp"
+#include "host/output/file_identity.hpp"
 
 namespace tentpole {
 namespace {
@@ -213,6 +214,8 @@ void write_checkpoint_file(const std::filesystem::path& file, const CheckpointCo
   const QuietErrors quiet;
   try {
     replace_file(file, [&](const std::filesystem::path& partial) { write_to(partial, contents); });
+  } catch (const FolderLost&) {
+    throw;  // nothing is removed in a folder that may be another run's
   } catch (const std::runtime_error& error) {
     std::error_code ignored;
     std::filesystem::remove(partial_file(file), ignored);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/output/run_summary.hpp"
+#include "host/output/written_files.hpp"
 #include "host/solver/checkpoint_file.hpp"
 
 namespace tentpole {
@@ -37,6 +38,9 @@ class FrontMarch {
   /// Restores it in a march that has not begun and acquires a slot for every row; returns them. Throws
   /// std::runtime_error, with the reason, where the contents do not fit.
   virtual std::vector<std::int32_t> load(const CheckpointContents& contents) = 0;
+
+  /// The files that only this kind of front writes, so far.
+  virtual void add_written(WrittenFiles&) const {}
 };
 
 }  // namespace tentpole

@@ -80,7 +80,7 @@ void check_mesh_names(const Case& settings, const SpaceMesh& mesh) {
   const std::vector<std::string> inner = inner_names(mesh);
   for (const CrackSettings& crack : settings.fracture.cracks)
     if (!crack.side.empty() && !contains(inner, crack.side))
-      problems.push_back({crack.side_location, no_such_crack(crack.side, inner)});
+      problems.push_back({crack.location, no_such_crack(crack.side, inner)});
   if (!problems.empty()) throw InputError(problems);
 }
 

@@ -29,6 +29,9 @@ class PrescribedData {
   /// Body force rho b in the element.
   std::int32_t add_body_force(const ElementDescriptor& element, std::vector<double>& prescribed);
 
+  /// At how many points of a facet an expression is evaluated.
+  int num_facet_points() const { return facet_rule_.num_points(); }
+
  private:
   using Point = std::array<double, 3>;
 

@@ -4,7 +4,11 @@
 #include <memory>
 
 #include "host/adaptive/adaptive_march.hpp"
+#include "host/output/file_identity.hpp"
 #include "host/output/output_times.hpp"
+#include "host/solver/check_expressions.hpp"
+#include "host/solver/check_probes.hpp"
+#include "host/solver/check_workload.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/fixed_march.hpp"
@@ -29,13 +33,14 @@ std::string field_name(OutputField field) {
   return "";
 }
 
-RecorderOptions recorder_options(const Simulation& simulation, const std::filesystem::path& folder) {
+RecorderOptions recorder_options(const Simulation& simulation, const RunOptions& run) {
   const Case& settings = simulation.settings;
   RecorderOptions options;
   options.dimension = simulation.dimension();
   options.degree = simulation.degree();
   options.plane_stress = settings.materials.begin()->second.plane == Plane::stress;
-  options.folder = folder;
+  options.folder = run.folder;
+  options.require_folder = run.require_folder;
   options.snapshot_times = settings.output.snapshot_times;
   for (const OutputField field : settings.output.fields) options.fields.push_back(field_name(field));
   for (const ProbeSettings& probe : settings.output.probes)
@@ -73,12 +78,22 @@ std::string other_build_warning(const RunBooks& books) {
          "): the result may differ in some bits from that of an uninterrupted run.";
 }
 
+const Simulation& checked(const Simulation& simulation) {
+  check_workload(simulation);
+  check_probes(simulation);
+  check_expressions(simulation);
+  return simulation;
+}
+
 /// Everything that a run owns; the parts refer to each other.
 class Run {
  public:
+  /// All tests come first, then what takes memory; nothing is read or written before open_folder().
   Run(const Simulation& simulation, const RunOptions& options);
   Run(const Run&) = delete;
 
+  /// Prepares the folder, and goes back to the checkpoint where the run is resumed. Call once, before advance().
+  void open_folder();
   /// Advances to the end; false if interrupted. Then, at the case's interval, and when it throws, writes a checkpoint.
   bool advance();
   /// Call once, after advance().
@@ -113,16 +128,22 @@ class Run {
 };
 
 Run::Run(const Simulation& simulation, const RunOptions& options)
-    : simulation_(simulation),
+    : simulation_(checked(simulation)),
       options_(options),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
-      recorder_(recorder_options(simulation, options.folder)),
+      recorder_(recorder_options(simulation, options)),
       history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
-      march_(make_march(books_, options.folder)) {
-  if (options.resume) load_checkpoint(*options.resume, books_, *march_, options.any_build);
-  if (books_.builds.size() > 1) options.note(other_build_warning(books_));
+      march_(make_march(books_, options.folder)) {}
+
+void Run::open_folder() {
+  if (options_.prepare_folder)
+    options_.prepare_folder();
+  else
+    std::filesystem::create_directories(options_.folder);
+  if (options_.resume) load_checkpoint(*options_.resume, books_, *march_, options_.any_build);
+  if (books_.builds.size() > 1) options_.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);
 }
 
@@ -132,6 +153,8 @@ auto Run::saving_after_failure(const Step& step) {
   // The type decides about the exit code, so it stays.
   try {
     return step();
+  } catch (const FolderLost&) {
+    throw;  // no checkpoint: it would be written into another run's folder
   } catch (const InputError& error) {
     throw InputError(error.what() + save_after_failure());
   } catch (const std::runtime_error& error) {
@@ -176,6 +199,7 @@ bool Run::checkpoint_is_due() const {
 }
 
 void Run::save() {
+  options_.require_folder();
   count_total_time();
   save_checkpoint(checkpoint_file(), options_.folder, books_, *march_);
   last_save_ = Clock::now();
@@ -228,14 +252,20 @@ RunSummary Run::summary() {
 
 }  // namespace
 
+void prepare_run(const Simulation& simulation, const RunOptions& options) {
+  const Run run(simulation, options);
+}
+
 RunResult run_simulation(const Simulation& simulation, const RunOptions& options) {
   Run run(simulation, options);
+  run.open_folder();
   RunResult result;
   result.interrupted = !run.advance();
   result.summary = run.summary();
   if (result.interrupted) {
     result.checkpoint = run.checkpoint_file();
   } else {
+    options.require_folder();
     write_run_summary(options.folder, result.summary);
     remove_checkpoint_file(run.checkpoint_file());
   }

@@ -8,6 +8,7 @@
 #include "host/mesh/box_mesh.hpp"
 #include "host/mesh/gmsh_file.hpp"
 #include "host/mesh/simplex_geometry.hpp"
+#include "host/solver/memory_need.hpp"
 #include "host/solver/mesh_names.hpp"
 
 namespace tentpole {
@@ -59,8 +60,13 @@ std::pair<double, double> edge_range(const SpaceMesh& mesh) {
 
 Simulation make_simulation(Case settings) {
   Simulation simulation;
+  if (settings.domain.is_box()) {
+    const BoxCounts counts = box_counts(settings.domain);
+    check_memory(settings, counts.vertices, counts.cells);
+  }
   simulation.mesh = make_mesh(settings);
   SpaceMesh& mesh = simulation.mesh;
+  check_memory(settings, mesh.num_vertices(), mesh.num_cells());
   check_mesh_names(settings, mesh);
   for (const std::string& name : mesh.region_names)
     simulation.materials.push_back(settings.material(settings.materials.count(name) ? name : "all"));

@@ -35,8 +35,9 @@ struct Simulation {
 };
 
 /// Generates or reads the mesh and matches its names with the case.
-/// Throws InputError for boundaries without a condition, regions without a material and names that the mesh lacks (all
-/// at once), MeshError for a mesh that cannot be used.
+/// Throws InputError where the mesh or the run would need more memory than there is, for boundaries without a
+/// condition, regions without a material and names that the mesh lacks (all at once), MeshError for a mesh that cannot
+/// be used.
 Simulation make_simulation(Case settings);
 
 /// The law of the case's cracks in scaled units; zero where there is no fracture.

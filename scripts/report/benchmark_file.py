@@ -20,14 +20,16 @@ class Benchmark:
 
 
 class BenchmarkFile:
-    """`context` and the benchmarks of a driver; no benchmarks where the file does not exist."""
+    """`context` and the benchmarks of a result of Google Benchmark."""
 
-    def __init__(self, path):
-        self.context, self.benchmarks = {}, []
-        if path.exists() and path.stat().st_size > 0:
-            document = json.loads(path.read_text(encoding="utf-8"))
-            self.context = document.get("context", {})
-            self.benchmarks = list(_medians(document.get("benchmarks", [])))
+    def __init__(self, document):
+        self.context = document.get("context", {})
+        self.benchmarks = list(_medians(document.get("benchmarks", [])))
+
+    @classmethod
+    def read(cls, path):
+        """The result of a driver in a file; without benchmarks where the file does not exist."""
+        return cls(json.loads(path.read_text(encoding="utf-8")) if path.exists() and path.stat().st_size > 0 else {})
 
     def find(self, *path, **arguments):
         """Benchmarks whose name begins with these words and has these arguments."""

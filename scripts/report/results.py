@@ -16,7 +16,7 @@ class Results:
 
     @functools.lru_cache(maxsize=None)
     def file(self, driver):
-        return BenchmarkFile(self.folder / f"{driver}.json")
+        return BenchmarkFile.read(self.folder / f"{driver}.json")
 
     def has_gpu(self):
         return str(self.file("bench_patch").context.get("device", "")).startswith("GPU")

@@ -22,6 +22,7 @@ HEAVY_HEADER = re.compile(r"(toml\+\+|toml|CLI|nlohmann|Eigen|muParser\w*|hdf5\w
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 FAULTY_SCHEDULE = re.compile(r"schedule\s*\(\s*(static\s*,\s*1\s*\)|(nonmonotonic\s*:\s*)?(dynamic|guided)\b)")
 MACHINE_PATH = re.compile(r"(?<![\w.})>*-])/(work|root|home|tmp|Users)(?![\w.-])")
+FIXED_FOLDER = re.compile(r"\bTempDir\s*\(|\btemp_directory_path\b|\bmkdtemp\b|\btmpnam\b|\bgettempdir\b|\btempfile\.mktemp\b")
 UNFINISHED = re.compile(r"\b(TODO|FIXME)\b")
 TEXT_SUFFIXES = {".cpp", ".hpp", ".cmake", ".txt", ".md", ".toml", ".json", ".py", ".in", ".csv", ""}
 
@@ -30,7 +31,7 @@ def files(root, suffixes, folders=None):
     """Files under the given folders (default: everywhere), without build products, results and this checker."""
     # Build folders are never entered: tests that run at the same time create and remove files there.
     for top in sorted(root.iterdir()):
-        if top.name.startswith((".git", "build", "result", "report")) or (folders and top.name not in folders):
+        if top.name.startswith((".git", ".gpu", "build", "gpu_out", "result", "report")) or (folders and top.name not in folders):
             continue
         for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
             parts = path.relative_to(root).parts
@@ -97,12 +98,20 @@ def paths(root):
     return matching_lines(root, files(root, TEXT_SUFFIXES), MACHINE_PATH, message)
 
 
+def temporary(root):
+    """Tests and scripts of two checkouts or two users run beside each other: no name in the temporary folder is fixed."""
+    checked = [path for path in files(root, {".hpp", ".cpp", ".py", ""}, {"tests", "bench", "scripts"})
+               if path.name != "temporary_folder.hpp"]
+    message = "names in the temporary folder are not fixed, use TemporaryFolder or test_folder of tests/, in Python TemporaryDirectory"
+    return matching_lines(root, checked, FIXED_FOLDER, message)
+
+
 def unfinished(root):
     message = "unfinished work is not marked in the source, finish it or open an issue"
     return matching_lines(root, files(root, TEXT_SUFFIXES), UNFINISHED, message)
 
 
-RULES = {rule.__name__: rule for rule in (includes, listed, schedule, paths, unfinished)}
+RULES = {rule.__name__: rule for rule in (includes, listed, schedule, paths, temporary, unfinished)}
 
 
 def main(root, *names):

@@ -65,6 +65,12 @@ class SourceRules(unittest.TestCase):
         self.assertEqual(self.findings("paths", {"scripts/a": bad, "docs/b.md": good}),
                          ["scripts/a:1", "scripts/a:2", "scripts/a:3"])
 
+    def test_temporary_folders_of_tests_come_from_the_helper(self):
+        tree = {"tests/a.cpp": 'TempDir() + "a"\nx = std::filesystem::temp_directory_path();\ntest_folder("a");\n',
+                "tests/temporary_folder.hpp": "mkdtemp(name);\n", "host/b.cpp": "mkdtemp(name);\n",
+                "tests/b.py": "open(tempfile.gettempdir() + '/x')\ntempfile.TemporaryDirectory()\n"}
+        self.assertEqual(self.findings("temporary", tree), ["tests/a.cpp:1", "tests/a.cpp:2", "tests/b.py:1"])
+
     def test_marks_of_unfinished_work_are_found(self):
         tree = {"host/a.cpp": "// TODO later\nint x;  // FIXME\n", "docs/b.md": "mktemp XXXX, TODOS, todo\n"}
         self.assertEqual(self.findings("unfinished", tree), ["host/a.cpp:1", "host/a.cpp:2"])

@@ -76,7 +76,7 @@ TEST_F(Traffic, VirtualDeviceHasMemoryOfItsOwn) {
     const int number = device.number;
 #pragma omp target enter data map(to : value) device(number)
     value = 2;
-#pragma omp target map(alloc : value) map(from : seen) device(number)
+#pragma omp target parallel num_threads(1) map(alloc : value) map(from : seen) device(number)
     seen = value;
 #pragma omp target exit data map(delete : value) device(number)
     EXPECT_EQ(seen, 1);

@@ -10,6 +10,7 @@
 #include "host/solver/run.hpp"
 #include "tests/host/solver/sample_cases.hpp"
 #include "tests/host/solver/solved_run.hpp"
+#include "tests/test_folder.hpp"
 
 // A run with every operation of an adaptive front and growing cracks: its bytes depend neither on threads and batch
 // size nor on interruptions, and the device makes the same decisions as the host.
@@ -166,6 +167,22 @@ TEST(SpallingBar, ResumedIsTheUninterruptedRun) {
       << "ends before";
   ASSERT_FALSE(run_leg(whole_run().simulation, folder, {.resume = true}).interrupted);
   expect_same_files(folder);
+}
+
+TEST(SpallingBar, ResumesOnlyWhereTheCrackFilesAre) {
+  const fs::path folder = test_folder("parts");
+  ASSERT_TRUE(run_leg(whole_run().simulation, folder, {.rounds = whole_run().num_rounds / 2}).interrupted);
+  for (const char* name : {"cracks_0000.vtkhdf", "cracks.vtkhdf.series"}) {
+    ASSERT_TRUE(fs::exists(folder / name)) << name;
+    fs::rename(folder / name, folder / "away");
+    try {
+      run_leg(whole_run().simulation, folder, {.resume = true});
+      ADD_FAILURE() << "goes on without " << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string(name) + " is missing"), std::string::npos) << error.what();
+    }
+    fs::rename(folder / "away", folder / name);
+  }
 }
 
 TEST(SpallingBar, InterruptedAfterEachOfManyRoundsIsTheUninterruptedRun) {

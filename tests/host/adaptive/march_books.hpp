@@ -3,7 +3,7 @@
 #include <string>
 
 #include "host/solver/run_books.hpp"
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole::testing {
 
@@ -11,8 +11,7 @@ namespace tentpole::testing {
 class MarchBooks {
  public:
   explicit MarchBooks(const Simulation& simulation)
-      : folder_("books"),
-        runner_(simulation, host_device(), 1, timer_, traffic_),
+      : runner_(simulation, host_device(), 1, timer_, traffic_),
         recorder_(options(simulation)),
         history_(folder_.path(), 1, 1),
         ledger_(simulation, recorder_, history_),
@@ -30,7 +29,7 @@ class MarchBooks {
     return options;
   }
 
-  ResultFolder folder_;
+  TemporaryFolder folder_;
   StageTimer timer_;
   TrafficCounters traffic_;
   ElementStore store_;

@@ -36,7 +36,8 @@ Simulation cracked_box(int dimension, bool structured, const std::vector<Polylin
   text.rest += "[fracture]\nenabled = true\nthreshold = 1\nstrength = 2\nrelaxation_time = 1\n";
   Simulation simulation = testing::simulation_of(text.text());
   // Here, so that the reader of the case file does not refuse them first.
-  for (const Polyline& line : lines) simulation.settings.fracture.cracks.push_back({line, damage});
+  for (const Polyline& line : lines)
+    simulation.settings.fracture.cracks.push_back({line, damage, "", {"bar.toml", 7, 0, "fracture.crack", ""}});
   return simulation;
 }
 

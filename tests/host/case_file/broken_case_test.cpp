@@ -5,9 +5,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "host/case_file/case.hpp"
+#include "tests/temporary_folder.hpp"
 
 /// Every file in broken/ begins with the errors that it must cause, one a line, and nothing else may be reported:
 ///   # error on line 9: fragment of the message          (line 0: the fault has no line)
@@ -99,10 +99,8 @@ std::string refusal(const std::string& path, const std::vector<std::string>& ove
 }
 
 std::string refusal_of_text(const std::string& text) {
-  const std::string path = testing::TempDir() + "/tentpole_broken_" + std::to_string(getpid()) + ".toml";
-  std::ofstream(path) << text;
-  const std::string message = refusal(path);
-  std::filesystem::remove(path);
+  const TemporaryFolder temporary;
+  const std::string message = refusal(temporary.write("broken.toml", text));
   const auto name = message.find(".toml");
   return name == std::string::npos ? message : message.substr(name);
 }

@@ -98,5 +98,10 @@ TEST(VectorExpression, MissingComponentsAreZero) {
   EXPECT_TRUE(VectorExpression({Expression(), Expression()}).is_zero());
 }
 
+TEST(Expression, NamesInATextAreSortedAndNumbersAreNone) {
+  EXPECT_EQ(names_in("V*sin(x_1) + 1e5*V - 1.e5 - .5E3 + _a2"), (std::vector<std::string>{"V", "_a2", "sin", "x_1"}));
+  EXPECT_TRUE(names_in("1 + 2 * (3.5)").empty());
+}
+
 }  // namespace
 }  // namespace tentpole

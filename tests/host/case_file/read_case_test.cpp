@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/case_file/case.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -196,7 +197,7 @@ TEST(Overrides, KeysAreQuotedAsInTheFileAndInMessages) {
 }
 
 TEST(ReadCase, MessagesQuoteKeysWhereTheFileMust) {
-  const std::string path = testing::TempDir() + "quoted_key.toml";
+  const std::string path = test_folder("case") / "quoted_key.toml";
   std::ifstream mesh_file(valid + "mesh_file.toml");
   std::ofstream(path) << mesh_file.rdbuf() << "[material.\"Probekörper Nº1\"]\ndensity = -1\n";
   try {
@@ -233,6 +234,25 @@ TEST(Overrides, FaultsAreReportedTogetherWithThoseOfTheFile) {
     EXPECT_EQ(error.problems().size(), 6u) << error.what();
     EXPECT_TRUE(error.problems().back().location.is_override());
   }
+}
+
+// Each constant needs the next one, so in the order of the file nearly all of them wait for the last.
+TEST(Constants, AChainOfThousandsIsResolvedFromItsEnd) {
+  constexpr int length = 5000;
+  std::vector<std::string> overrides{"constants.c" + std::to_string(length) + "=1"};
+  for (int i = 0; i < length; ++i)
+    overrides.push_back("constants.c" + std::to_string(i) + "=\"c" + std::to_string(i + 1) + " + 1\"");
+  const Case bar = read_case(TENTPOLE_TEST_DATA "/valid/one_dimension.toml", overrides);
+  EXPECT_EQ(bar.constants.at("c0"), length + 1);
+  EXPECT_EQ(bar.constants.at("c4000"), 1001);
+}
+
+TEST(Constants, ThoseThatGoRoundInACircleDoNotHideTheOthers) {
+  const std::string message = refusal(
+      "one_dimension.toml", {"constants.a=\"b+1\"", "constants.b=\"a+1\"", "constants.c=\"2*d\"", "constants.d=3"});
+  EXPECT_TRUE(contains(message, "character 1: unknown name or symbol \"b\"")) << message;
+  EXPECT_TRUE(contains(message, "character 1: unknown name or symbol \"a\"")) << message;
+  EXPECT_FALSE(contains(message, "constants.c")) << message;
 }
 
 }  // namespace

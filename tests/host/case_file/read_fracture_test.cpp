@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/case_file/sections.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -144,22 +145,21 @@ TEST(ReadFracture, NoNucleationNeedsNoDistribution) {
 }
 
 TEST(ReadFracture, CrackMayBeASideOfAMeshFile) {
-  const std::string temporary = testing::TempDir() + "crack_side.toml";
+  const std::filesystem::path folder = test_folder("case"), temporary = folder / "crack_side.toml";
   std::ifstream mesh_file(valid + "mesh_file.toml");
   std::ofstream(temporary) << mesh_file.rdbuf()
                            << "[fracture]\nenabled = false\n[[fracture.crack]]\nside = \"joint\"\ndamage = 0.5\n";
-  std::filesystem::copy_file(valid + "two_triangles.msh", testing::TempDir() + "two_triangles.msh",
-                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(valid + "two_triangles.msh", folder / "two_triangles.msh");
   const FractureSettings fracture = read_case(temporary).fracture;
   ASSERT_EQ(fracture.cracks.size(), 1u);
   EXPECT_EQ(fracture.cracks[0].side, "joint");
   EXPECT_EQ(fracture.cracks[0].damage, 0.5);
   EXPECT_TRUE(fracture.cracks[0].points.empty());
-  EXPECT_EQ(fracture.cracks[0].side_location.key, "fracture.crack[1].side");
+  EXPECT_EQ(fracture.cracks[0].location.key, "fracture.crack[1].side");
 }
 
 TEST(ReadFracture, CrackOfABarIsAPoint) {
-  const std::string path = testing::TempDir() + "crack_of_a_bar.toml";
+  const std::string path = test_folder("case") / "crack_of_a_bar.toml";
   const auto points_of = [&](const std::string& points) {
     std::ifstream bar(valid + "one_dimension.toml");
     std::ofstream(path) << bar.rdbuf() << "[fracture]\nenabled = false\n[[fracture.crack]]\npoints = " << points
@@ -170,7 +170,6 @@ TEST(ReadFracture, CrackOfABarIsAPoint) {
   EXPECT_THROW(points_of("[[0.5], [1.0]]"), InputError);
   EXPECT_THROW(points_of("[0.5]"), InputError);
   EXPECT_THROW(points_of("[[2.0]]"), InputError);  // the end of the bar
-  std::filesystem::remove(path);
 }
 
 TEST(CheckAdaptiveRun, ThreeDimensionsAreRefused) {

@@ -90,6 +90,19 @@ class Run(ProgramTest):
         self.tentpole("run", example, "--threads", "3", "--set", "time.end=0.01", "--out", "r")
         self.assertEqual(self.summary("r")["threads"], 3)
 
+    def test_limit_of_threads_is_respected_and_named(self):
+        environment = dict(os.environ, OMP_THREAD_LIMIT="1")
+        for arguments, warning in (([], ""), (["--threads", "3"], "warning: --threads 3: only 1, by OMP_THREAD_LIMIT\n")):
+            for command in (["check", "wave.toml"], ["run", "wave.toml", "--out", f"r{len(arguments)}"]):
+                result = subprocess.run([TENTPOLE, *command, *arguments], cwd=self.folder, capture_output=True, text=True,
+                                        env=environment, check=True)
+                self.assertEqual(result.stderr, warning)
+                if arguments:
+                    self.assertRegex(result.stdout, r"device +host, 1 thread \(OMP_THREAD_LIMIT[;)]")
+                if command[0] == "check":
+                    self.assertIn("scratch of 1 thread\n", result.stdout)
+            self.assertEqual(self.summary(f"r{len(arguments)}")["threads"], 1)
+
     def test_energy_check_passes(self):
         self.tentpole("run", "wave.toml", "--check")
 

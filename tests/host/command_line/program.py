@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 TENTPOLE, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
@@ -39,6 +40,11 @@ point = [0.5]
 """
 
 
+# A run of WAVE with these takes minutes.
+LONG = ["--set", "time.end=50", "--set", "output.snapshots=1000", "--set", "domain.cells=[50]",
+        "--set", "run.batch_size=16"]
+
+
 class ProgramTest(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -51,6 +57,20 @@ class ProgramTest(unittest.TestCase):
         result = subprocess.run([TENTPOLE, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(result.returncode, exit_code, f"{arguments}\n{result.stdout}{result.stderr}")
         return result.stdout, result.stderr
+
+    def start(self, *arguments, out="r", **options):
+        """Starts a run of wave.toml with its result in r; it is killed when the test ends."""
+        process = subprocess.Popen([TENTPOLE, "run", "wave.toml", *(["--out", out] if out else []), *map(str, arguments)],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+        for clean_up in (process.stdout.close, process.stderr.close, process.wait, process.kill):
+            self.addCleanup(clean_up)  # the last one runs first
+        return process
+
+    def wait_for(self, name, folder="r"):
+        deadline = time.monotonic() + 60
+        while not (self.folder / folder / name).exists():
+            self.assertLess(time.monotonic(), deadline, f"{name} did not appear")
+            time.sleep(0.005)
 
     def refused(self, *arguments):
         """Runs the program, which must refuse its input and write nothing; returns stderr."""

@@ -1,5 +1,7 @@
 #include "host/command_line/quantity.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace tentpole {
@@ -12,6 +14,13 @@ TEST(Quantity, CountsHaveACommaEveryThreeDigits) {
   EXPECT_EQ(count_text(12345678), "12,345,678");
   EXPECT_EQ(count_text(-100), "-100");
   EXPECT_EQ(count_text(-1234), "-1,234");
+}
+
+TEST(Quantity, CountsBeyondAllIntegersHaveAnExponent) {
+  EXPECT_EQ(estimate_text(12345.0), "12,345");
+  EXPECT_EQ(estimate_text(999999999999999.0), "999,999,999,999,999");
+  EXPECT_EQ(estimate_text(1.25e300), "1.25e+300");
+  EXPECT_EQ(estimate_text(HUGE_VAL), "inf");
 }
 
 TEST(Quantity, BytesNeverShowAThousandOfAUnit) {
@@ -32,6 +41,7 @@ TEST(Quantity, DurationsNeverShowSixtySecondsOrMinutes) {
   EXPECT_EQ(duration_text(200), "3 min 20 s");
   EXPECT_EQ(duration_text(3599.6), "1 h 00 min");
   EXPECT_EQ(duration_text(7500), "2 h 05 min");
+  EXPECT_EQ(duration_text(3.15576e300), "1e+293 years");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "host/output/crack_series.hpp"
 #include "host/output/vtkhdf_writer.hpp"
-#include "tests/host/command_line/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -26,7 +26,7 @@ void write_snapshot(const std::filesystem::path& folder, const std::string& name
 }
 
 TEST(ResultDifference, IsRelativeToTheLargestValueOfTheWholeRun) {
-  const TemporaryTestFolder root("difference_relative");
+  const TemporaryFolder root;
   const auto a = root.path() / "a", b = root.path() / "b";
   write_snapshot(a, "snapshot_0000.vtkhdf", {0, 0, 1});
   write_snapshot(a, "snapshot_0001.vtkhdf", {0, 0, -400});
@@ -40,9 +40,10 @@ TEST(ResultDifference, IsRelativeToTheLargestValueOfTheWholeRun) {
 }
 
 TEST(ResultDifference, SeesCracks) {
-  const TemporaryTestFolder root("difference_cracks");
+  const TemporaryFolder root;
   const auto a = root.path() / "a", b = root.path() / "b", c = root.path() / "c";
   for (const auto& [folder, damage] : {std::pair{&a, 0.5}, std::pair{&b, 0.375}, std::pair{&c, -1.0}}) {
+    std::filesystem::create_directories(*folder);
     CrackSeries cracks({.dimension = 2, .folder = *folder, .times = {1e-8, 2e-8}});
     CrackSegment segment;
     segment.end[1] = {1e-6, 0, 0};
@@ -60,7 +61,7 @@ TEST(ResultDifference, SeesCracks) {
 }
 
 TEST(ResultDifference, OfEqualResultsIsZero) {
-  const TemporaryTestFolder root("difference_zero");
+  const TemporaryFolder root;
   for (const char* name : {"a", "b"}) {
     write_snapshot(root.path() / name, "snapshot_0000.vtkhdf", {0, 0, 0});
     root.write(std::string(name) + "/probe_mid.csv", "time,ux\n0,1\n1,2\n");
@@ -72,7 +73,7 @@ TEST(ResultDifference, OfEqualResultsIsZero) {
 }
 
 TEST(ResultDifference, ProbesAreComparedColumnByColumn) {
-  const TemporaryTestFolder root("difference_probe");
+  const TemporaryFolder root;
   root.write("a/probe_mid.csv", "time,ux,sxx\n0,1,1e8\n1,2,2e8\n");
   root.write("b/probe_mid.csv", "time,ux,sxx\n0,1,1e8\n1,2.5,2e8\n");
   const ResultDifference difference = compare_results(root.path() / "a", root.path() / "b");
@@ -81,21 +82,21 @@ TEST(ResultDifference, ProbesAreComparedColumnByColumn) {
 }
 
 TEST(ResultDifference, HistoryStandsInWhereThereIsNoOtherOutput) {
-  const TemporaryTestFolder root("difference_history");
+  const TemporaryFolder root;
   root.write("a/history.csv", "time,kinetic\n0,4\n");
   root.write("b/history.csv", "time,kinetic\n0,3\n");
   EXPECT_DOUBLE_EQ(compare_results(root.path() / "a", root.path() / "b").largest, 0.25);
 }
 
 TEST(ResultDifference, ValuesThatAreNotNumbersAreInfinitelyFar) {
-  const TemporaryTestFolder root("difference_nan");
+  const TemporaryFolder root;
   write_snapshot(root.path() / "a", "snapshot_0000.vtkhdf", {1, 1, 1});
   write_snapshot(root.path() / "b", "snapshot_0000.vtkhdf", {1, std::nan(""), 1});
   EXPECT_EQ(compare_results(root.path() / "a", root.path() / "b").largest, std::numeric_limits<double>::infinity());
 }
 
 TEST(ResultDifference, MissingFilesAndDifferentSizesAreErrors) {
-  const TemporaryTestFolder root("difference_mismatch");
+  const TemporaryFolder root;
   write_snapshot(root.path() / "a", "snapshot_0000.vtkhdf", {1, 1, 1});
   std::filesystem::create_directories(root.path() / "b");
   EXPECT_THROW(compare_results(root.path() / "a", root.path() / "b"), std::runtime_error);

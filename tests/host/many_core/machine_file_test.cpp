@@ -7,22 +7,19 @@
 #include "host/case_file/input_error.hpp"
 #include "host/many_core/read_machine.hpp"
 #include "host/many_core/write_machine.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
 
-/// A machine file under a name of its own, removed at the end.
+/// A machine file in a folder of its own.
 class MachineFile {
  public:
-  explicit MachineFile(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() /
-              ("machine_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml")) {
-    std::ofstream(path_) << text;
-  }
-  ~MachineFile() { std::filesystem::remove(path_); }
+  explicit MachineFile(const std::string& text) : path_(folder_.write("machine.toml", text)) {}
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  TemporaryFolder folder_;
   std::filesystem::path path_;
 };
 

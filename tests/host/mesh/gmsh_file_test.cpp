@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/test_folder.hpp"
+
 namespace tentpole {
 namespace {
 
@@ -134,9 +136,7 @@ TEST(GmshFile, ACrackIsTheSameWhetherItsNodesAreDoubledOrNot) {
 }
 
 TEST(GmshFile, NothingBesideTheMeshIsRead) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "mesh_with_options";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = test_folder("mesh");
   std::filesystem::copy_file(file("square_41.msh"), folder / "square.msh");
   std::ofstream(folder / "square.msh.opt") << "SystemCall \"touch " << (folder / "ran").string() << "\";\n";
   EXPECT_EQ(read_gmsh_file((folder / "square.msh").string(), 2).num_cells(), 4);

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/output/crack_grid.hpp"
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -80,7 +80,7 @@ void add(CrackSeries& cracks, int index, const std::vector<CrackSegment>& segmen
 }
 
 TEST(CrackSeries, WritesOneFilePerTimeThatTheFrontHasPassed) {
-  ResultFolder folder("cracks_front");
+  TemporaryFolder folder;
   CrackSeries cracks({.dimension = 2, .folder = folder.path(), .times = {0, 1e-8, 2e-8}});
   EXPECT_EQ(cracks.range(0, 1e-8).first, 0);
   EXPECT_EQ(cracks.range(0, 1e-8).last, 2);
@@ -103,7 +103,7 @@ TEST(CrackSeries, WritesOneFilePerTimeThatTheFrontHasPassed) {
 }
 
 TEST(CrackSeries, GivesTheSameBytesForAnyOrderAndAfterACheckpoint) {
-  ResultFolder whole("cracks_whole"), resumed("cracks_resumed");
+  TemporaryFolder whole, resumed;
   std::vector<CrackSegment> early = {slanted_edge(0), slanted_edge(1)},
                             late = {slanted_edge(0), slanted_edge(1), slanted_edge(4)};
   const std::vector<double> times = {1e-8, 2e-8};
@@ -131,7 +131,7 @@ TEST(CrackSeries, GivesTheSameBytesForAnyOrderAndAfterACheckpoint) {
 }
 
 TEST(CrackSeries, RefusesOtherDimensionsUnsortedTimesAndForeignCheckpoints) {
-  ResultFolder folder("cracks_refuse");
+  TemporaryFolder folder;
   EXPECT_THROW(CrackSeries({.dimension = 3, .folder = folder.path(), .times = {0}}), std::invalid_argument);
   EXPECT_THROW(CrackSeries({.dimension = 2, .folder = folder.path(), .times = {1, 1}}), std::invalid_argument);
   CrackSeries longer({.dimension = 2, .folder = folder.path(), .times = {0, 1, 2}});

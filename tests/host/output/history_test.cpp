@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/host/output/result_folder.hpp"
+#include "host/output/file_identity.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
 
-std::vector<std::vector<double>> read_rows(const ResultFolder& folder) {
+std::vector<std::vector<double>> read_rows(const TemporaryFolder& folder) {
   std::istringstream text(folder.read("history.csv"));
   std::vector<std::vector<double>> rows;
   std::string line, cell;
@@ -24,7 +25,7 @@ std::vector<std::vector<double>> read_rows(const ResultFolder& folder) {
 }
 
 TEST(History, HasOneRowPerTimeFromZeroToTheEnd) {
-  ResultFolder folder("history_rows");
+  TemporaryFolder folder;
   History history(folder.path(), 0.3, 1);
   history.finish(1, {.cells = 7});
   const auto rows = read_rows(folder);
@@ -38,7 +39,7 @@ TEST(History, HasOneRowPerTimeFromZeroToTheEnd) {
 }
 
 TEST(History, SpreadsWorkLinearlyAndKeepsTheTotal) {
-  ResultFolder folder("history_work");
+  TemporaryFolder folder;
   History history(folder.path(), 0.25, 1);
   history.add_interval(0.0, 1.0, {.external_work = 8});
   history.add_interval(0.4, 0.6, {.external_work = 2, .numerical = 4, .fracture = 6, .friction = 8});
@@ -56,7 +57,7 @@ TEST(History, SpreadsWorkLinearlyAndKeepsTheTotal) {
 }
 
 TEST(History, EnergiesDoNotDependOnTheOrder) {
-  ResultFolder forward("history_forward"), backward("history_backward");
+  TemporaryFolder forward, backward;
   const double terms[] = {1e20, 1.0, -1e20, 1e-7, 3.3, 0.1};
   for (const bool reversed : {false, true}) {
     History history((reversed ? backward : forward).path(), 1, 1);
@@ -72,7 +73,7 @@ TEST(History, EnergiesDoNotDependOnTheOrder) {
 }
 
 TEST(History, WritesOnlyRowsThatTheFrontHasPassed) {
-  ResultFolder folder("history_front");
+  TemporaryFolder folder;
   History history(folder.path(), 0.25, 1);
   history.finish(0, {});
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "history.csv"));
@@ -89,7 +90,7 @@ TEST(History, WritesOnlyRowsThatTheFrontHasPassed) {
 
 /// Half of a length of 4 has failed.
 TEST(History, SumsUpTheSurfacesOfEachRow) {
-  ResultFolder folder("history_surfaces");
+  TemporaryFolder folder;
   History history(folder.path(), 0.5, 1);
   history.add_surface(1, 3, uniform_crack_edge(2, 0.5));
   CrackEdgeState half_failed = uniform_crack_edge(2, 0.25);
@@ -106,7 +107,7 @@ TEST(History, SumsUpTheSurfacesOfEachRow) {
 }
 
 TEST(History, CountsEventsByTheirTimes) {
-  ResultFolder folder("history_events");
+  TemporaryFolder folder;
   History history(folder.path(), 0.25, 1);
   history.add_event(CrackEvent::nucleation, 0.5);
   history.add_event(CrackEvent::extension, 0.51);
@@ -128,7 +129,7 @@ TEST(History, CountsEventsByTheirTimes) {
 }
 
 TEST(History, GoesOnBitwiseFromACheckpoint) {
-  ResultFolder whole("history_whole"), resumed("history_resumed");
+  TemporaryFolder whole, resumed;
   const auto early = [](History& history) {
     history.add_interval(0, 0.7, {.external_work = 1.0 / 3});
     history.add_event(CrackEvent::nucleation, 0.2);
@@ -155,13 +156,17 @@ TEST(History, GoesOnBitwiseFromACheckpoint) {
 }
 
 TEST(History, RefusesToResumeWithoutItsFile) {
-  ResultFolder first("history_first"), second("history_second");
+  TemporaryFolder first, second;
   std::stringstream checkpoint;
   History history(first.path(), 0.5, 1);
   history.finish(0.5, {});
   history.save(checkpoint);
   History other(second.path(), 0.5, 1);
-  EXPECT_THROW(other.load(checkpoint), std::runtime_error);
+  other.load(checkpoint);
+  WrittenFiles files;
+  other.add_written(files);
+  EXPECT_THROW(require_written(files), std::runtime_error);
+  EXPECT_THROW(other.finish(1, {}), FolderLost);
 }
 
 }  // namespace

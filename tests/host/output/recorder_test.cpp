@@ -9,8 +9,8 @@
 
 #include "host/output/output_times.hpp"
 #include "tests/host/output/pitched_elements.hpp"
-#include "tests/host/output/result_folder.hpp"
 #include "tests/host/output/sample_fields.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -36,7 +36,7 @@ std::vector<std::size_t> shuffled(std::size_t count, unsigned seed) {
 const char* const result_files[] = {"snapshot_0000.vtkhdf", "snapshot_0001.vtkhdf",   "snapshot_0002.vtkhdf",
                                     "snapshot_0003.vtkhdf", "snapshot.vtkhdf.series", "probe_corner.csv"};
 
-void expect_equal_files(const ResultFolder& a, const ResultFolder& b) {
+void expect_equal_files(const TemporaryFolder& a, const TemporaryFolder& b) {
   for (const char* name : result_files) {
     EXPECT_FALSE(a.read(name).empty()) << name;
     EXPECT_TRUE(a.read(name) == b.read(name)) << name << " differs";
@@ -50,7 +50,7 @@ TEST(Recorder, WritesTheSameBytesForAnyOrderOfElements) {
     box.cells = {3, 3, 2};
     box.end = 3e-8;
     const PitchedElements pitched = pitch_elements(box, quadratic_field(dimension));
-    ResultFolder straight("straight"), mixed("mixed");
+    TemporaryFolder straight, mixed;
     for (const auto& [folder, seed] : {std::pair{&straight, 1u}, std::pair{&mixed, 2u}}) {
       Recorder recorder(options_for(box, folder->path()));
       for (const std::size_t index : shuffled(pitched.elements.size(), seed)) {
@@ -68,7 +68,7 @@ TEST(Recorder, GoesOnBitwiseFromACheckpoint) {
   PitchedBox box;
   const PitchedElements pitched = pitch_elements(box, quadratic_field(2));
   const std::size_t half = pitched.elements.size() / 2;
-  ResultFolder whole("whole"), resumed("resumed");
+  TemporaryFolder whole, resumed;
   const auto record = [&](Recorder& recorder, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) recorder.record(pitched.elements[i]);
   };
@@ -96,7 +96,7 @@ TEST(Recorder, GoesOnBitwiseFromACheckpoint) {
 
 TEST(Recorder, WantsExactlyTheElementsThatReachAnOutput) {
   PitchedBox box;
-  ResultFolder folder("wants");
+  TemporaryFolder folder;
   RecorderOptions options = options_for(box, folder.path());
   options.snapshot_times = {0, 5e-8};
   options.probes[0].times = {2e-8};
@@ -112,7 +112,7 @@ TEST(Recorder, WantsExactlyTheElementsThatReachAnOutput) {
 TEST(Recorder, WritesASnapshotOnlyWhenTheFrontHasPassed) {
   PitchedBox box;
   const PitchedElements pitched = pitch_elements(box, quadratic_field(2));
-  ResultFolder folder("front");
+  TemporaryFolder folder;
   Recorder recorder(options_for(box, folder.path()));
   for (const SpacetimeElement& element : pitched.elements) recorder.record(element);
   recorder.finish(0);
@@ -126,7 +126,7 @@ TEST(Recorder, ProbeRowsFollowTheExactField) {
   PitchedBox box;
   const DisplacementField exact = quadratic_field(2);
   const PitchedElements pitched = pitch_elements(box, exact);
-  ResultFolder folder("probe");
+  TemporaryFolder folder;
   RecorderOptions options = options_for(box, folder.path());
   options.probes = {{"inner", {3.3e-4, 7.1e-4, 0}, times_at_interval(box.end / 7, box.end)}};
   Recorder recorder(options);
@@ -153,7 +153,7 @@ TEST(Recorder, ProbeRowsFollowTheExactField) {
 TEST(Recorder, NamesAProbeOutsideTheDomain) {
   PitchedBox box;
   const PitchedElements pitched = pitch_elements(box, quadratic_field(2));
-  ResultFolder folder("outside");
+  TemporaryFolder folder;
   RecorderOptions options = options_for(box, folder.path());
   options.probes[0].point = {2e-3, 0, 0};
   Recorder recorder(options);
@@ -168,7 +168,7 @@ TEST(Recorder, NamesAProbeOutsideTheDomain) {
 
 TEST(Recorder, RefusesUnknownFieldsRepeatedNamesAndUnsortedTimes) {
   PitchedBox box;
-  ResultFolder folder("refuse");
+  TemporaryFolder folder;
   const RecorderOptions good = options_for(box, folder.path());
   RecorderOptions options = good;
   options.fields = {"temperature"};

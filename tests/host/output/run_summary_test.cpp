@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole {
 namespace {
 
 TEST(RunSummary, HoldsCountsSharesAndRates) {
-  ResultFolder folder("summary");
+  TemporaryFolder folder;
   RunSummary summary;
   summary.title = "a \"quoted\" bar";
   summary.counts = {.patches = 100, .elements = 600, .dofs = 12000, .cells_max = 50};
@@ -38,7 +38,7 @@ TEST(RunSummary, HoldsCountsSharesAndRates) {
 }
 
 TEST(RunSummary, HoldsRefinementAndFracture) {
-  ResultFolder folder("summary_fracture");
+  TemporaryFolder folder;
   RunSummary summary;
   summary.counts = {.rejected = 3, .min_size_hits = 1, .splits = 40, .deletions = 12, .flips = 5, .inclined = 2};
   summary.counts.smallest_cell = 5e-7;
@@ -79,7 +79,7 @@ TEST(RunSummary, HoldsRefinementAndFracture) {
 }
 
 TEST(RunSummary, NumbersThatAreNotFiniteBecomeNullAndAWarning) {
-  ResultFolder folder("summary_nan");
+  TemporaryFolder folder;
   RunSummary summary;
   summary.energy.kinetic = std::nan("");
   summary.errors = {.displacement_l2 = INFINITY};

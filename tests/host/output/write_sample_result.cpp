@@ -98,6 +98,7 @@ void add_crack(const PitchedBox& box, const PitchedElements& pitched, const Reco
 
 void write_result(const PitchedBox& box, const PitchedElements& pitched, const std::filesystem::path& folder,
                   SampleField field, unsigned seed) {
+  std::filesystem::create_directories(folder);
   const RecorderOptions options = recorder_options(box, folder, field == SampleField::crack ? 11 : 5);
   Recorder recorder(options);
   History history(folder, box.end / 50, box.end);

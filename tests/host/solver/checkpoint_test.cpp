@@ -15,6 +15,7 @@
 #include "host/solver/run.hpp"
 #include "tests/device/tested_device.hpp"
 #include "tests/host/solver/sample_cases.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -166,7 +167,8 @@ class RefusedCheckpoint : public testing::Test {
     folder_ = test_folder("run");
     text_ = sample_case(2);
     simulation_ = simulation_of(text_, folder_);
-    ASSERT_TRUE(run_leg(simulation_, folder_, {.batches = 20}, false).interrupted);
+    for (bool resume = false; !fs::exists(folder_ / "snapshot_0000.vtkhdf"); resume = true)
+      ASSERT_TRUE(run_leg(simulation_, folder_, {.batches = 20}, resume).interrupted);
   }
 
   fs::path folder_;
@@ -267,11 +269,19 @@ TEST_F(RefusedCheckpoint, ThatIsTruncatedForeignOrMissing) {
   EXPECT_NE(refusal(simulation_, folder_).find("is no checkpoint"), std::string::npos);
 }
 
-TEST_F(RefusedCheckpoint, WhoseOutputTablesAreGone) {
-  ASSERT_TRUE(fs::remove(folder_ / "history.csv"));
-  const std::string message = refusal(simulation_, folder_);
-  EXPECT_NE(message.find("history.csv"), std::string::npos) << message;
-  EXPECT_NE(message.find("Resume in the result folder"), std::string::npos) << message;
+TEST_F(RefusedCheckpoint, WhoseOutputIsGoneAndTouchesNothing) {
+  for (const char* name : {"history.csv", "snapshot_0000.vtkhdf", "snapshot.vtkhdf.series"}) {
+    ASSERT_TRUE(fs::exists(folder_ / name)) << name;
+    fs::rename(folder_ / name, folder_.parent_path() / "away");
+    const auto before = results_in(folder_);
+    const std::string message = refusal(simulation_, folder_);
+    EXPECT_NE(message.find(std::string(name) + " is missing"), std::string::npos) << message;
+    EXPECT_NE(message.find("Resume in the result folder"), std::string::npos) << message;
+    EXPECT_EQ(results_in(folder_), before);
+    fs::rename(folder_.parent_path() / "away", folder_ / name);
+  }
+  put_bytes(folder_ / "history.csv", "time");
+  EXPECT_NE(refusal(simulation_, folder_).find("history.csv has 4 bytes of "), std::string::npos);
 }
 
 std::string bar_with_load(const std::string& load) {

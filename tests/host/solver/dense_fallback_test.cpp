@@ -10,6 +10,7 @@
 #include "host/solver/batch_builder.hpp"
 #include "host/solver/batch_runner.hpp"
 #include "tests/host/solver/sample_cases.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {

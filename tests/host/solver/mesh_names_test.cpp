@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/solver/simulation.hpp"
+#include "tests/test_folder.hpp"
 
 // How the names of a mesh file and of a case meet.
 namespace tentpole {
@@ -16,7 +17,7 @@ namespace {
 /// A case with this mesh of tests/host/mesh (or elsewhere), and these tables.
 Simulation simulation_with(const std::string& mesh, const std::vector<std::string>& materials,
                            const std::vector<std::string>& boundaries, const std::string& crack = "") {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "mesh_names.toml";
+  const std::filesystem::path path = test_folder("case") / "mesh_names.toml";
   std::ofstream stream(path);
   const std::filesystem::path folder = std::filesystem::path(TENTPOLE_TEST_DATA) / "../mesh";
   stream << "[domain]\ndimension = 2\nmesh = \"" << (folder / mesh).string() << "\"\n";
@@ -104,7 +105,7 @@ std::string square_named(const std::string& region, const std::string& side) {
   std::string bytes(std::istreambuf_iterator<char>(square), {});
   for (const auto& [old_name, name] : {std::pair<std::string, std::string>{"\"plate\"", region}, {"\"left\"", side}})
     bytes.replace(bytes.find(old_name), old_name.size(), "\"" + name + "\"");
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "square_named.msh";
+  const std::filesystem::path path = test_folder("mesh") / "square_named.msh";
   std::ofstream(path) << bytes;
   return path.string();
 }

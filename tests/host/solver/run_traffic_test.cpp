@@ -6,6 +6,7 @@
 #include "host/solver/run.hpp"
 #include "tests/device/target_observer.hpp"
 #include "tests/host/solver/sample_cases.hpp"
+#include "tests/test_folder.hpp"
 
 namespace tentpole {
 namespace {

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <sstream>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace tentpole {
@@ -120,16 +119,6 @@ std::string lasting_part(const std::string& summary) {
 
 std::string sample_case(int dimension) {
   return dimension == 1 ? bar : dimension == 2 ? plate : block;
-}
-
-fs::path test_folder(const std::string& name) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  std::string unique = std::string(test->test_suite_name()) + "." + test->name() + "." + name;
-  std::replace(unique.begin(), unique.end(), '/', '_');
-  const fs::path folder = fs::path(testing::TempDir()) / ("tentpole_" + unique);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
 }
 
 std::string bytes_of(const fs::path& file) {

@@ -10,9 +10,6 @@ namespace tentpole {
 /// Small cases with waves, loads, probes and every kind of output, for D = 1, 2, 3; a second or less each.
 std::string sample_case(int dimension);
 
-/// An empty folder for the test at hand, named after it.
-std::filesystem::path test_folder(const std::string& name);
-
 /// The whole file.
 std::string bytes_of(const std::filesystem::path& file);
 

@@ -5,19 +5,19 @@
 
 #include "host/solver/run.hpp"
 #include "tests/device/tested_device.hpp"
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace tentpole::testing {
 
 Simulation simulation_of(const std::string& case_text) {
-  const ResultFolder folder("case");
+  const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "case.toml";
   std::ofstream(path) << case_text;
   return make_simulation(read_case(path));
 }
 
 SolvedRun solve(const Simulation& simulation, const Device& device, int threads) {
-  const ResultFolder folder("run");
+  const TemporaryFolder folder;
   RunOptions options;
   options.device = device;
   options.threads = threads;

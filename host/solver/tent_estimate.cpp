@@ -1,4 +1,4 @@
-#include "host/command_line/tent_estimate.hpp"
+#include "host/solver/tent_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +36,15 @@ TentEstimate estimate_tents(const Simulation& simulation, std::int64_t max_patch
       const double top = front.pole_top_time(vertex, end_time);
       pitched += tent_measure(cell_measure, star, top - front.time(vertex), mesh.dimension);
       front.raise(vertex, top);
-      ++estimate.patches;
-      estimate.elements += std::ssize(star);
+      estimate.patches += 1;
+      estimate.elements += static_cast<double>(star.size());
       estimate.largest_patch = std::max(estimate.largest_patch, static_cast<int>(star.size()));
     }
-  } while (!minima.empty() && estimate.patches < max_patches);
+  } while (!minima.empty() && estimate.patches < static_cast<double>(max_patches));
   estimate.is_exact = front.minimum_time() >= end_time;
   if (estimate.is_exact) return estimate;
-  estimate.patches = std::llround(static_cast<double>(estimate.patches) * whole / pitched);
-  estimate.elements = std::llround(static_cast<double>(estimate.elements) * whole / pitched);
+  estimate.patches = std::round(estimate.patches * (whole / pitched));
+  estimate.elements = std::round(estimate.elements * (whole / pitched));
   return estimate;
 }
 

@@ -6,10 +6,10 @@
 
 namespace tentpole {
 
-/// How many tents a run will erect.
+/// How many tents a run will erect. Floating point: an estimate may be beyond all integers.
 struct TentEstimate {
-  std::int64_t patches = 0;
-  std::int64_t elements = 0;
+  double patches = 0;
+  double elements = 0;
   int largest_patch = 0;  ///< elements
   bool is_exact = false;  ///< all tents were pitched
 };
