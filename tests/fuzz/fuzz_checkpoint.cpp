@@ -13,7 +13,7 @@
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/fixed_march.hpp"
 #include "host/solver/run_books.hpp"
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 // The way of a checkpoint into a run that has not begun. The first byte says which section the other bytes stand for;
 // the others are those of a run of the same case: 0 an adaptive march, 1 ledger, 2 recorder, 3 history, 4 the cells of
@@ -204,7 +204,7 @@ CheckpointContents with_cells(CheckpointContents contents, const std::string& by
 }
 
 void restore(int section, const std::string& bytes) {
-  static const ResultFolder adaptive_folder("fuzz_adaptive"), fixed_folder("fuzz_fixed");
+  static const TemporaryFolder adaptive_folder, fixed_folder;
   static Subject adaptive(adaptive_folder.path(), adaptive_case), fixed(fixed_folder.path(), fixed_case);
   CheckpointContents contents = adaptive.good();
   switch (section) {

@@ -11,7 +11,7 @@
 #include "host/command_line/commands.hpp"
 #include "host/command_line/quiet_hdf5.hpp"
 #include "host/command_line/result_difference.hpp"
-#include "tests/host/output/result_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 // Files of a result as `tentpole info` and `tentpole compare` read them. The first byte says which the other bytes are:
 // 0 history.csv, 1 summary.json, 2 a snapshot, 3 a checkpoint, 4 history.csv of one of two results. They are described
@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path& folder() {
-  static const ResultFolder made("fuzz_result");
+  static const TemporaryFolder made;
   static const bool is_filled = [] {
     keep_hdf5_quiet();
     for (const char* part : {"described", "first", "second"}) fs::create_directories(made.path() / part);
