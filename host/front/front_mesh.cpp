@@ -101,6 +101,13 @@ VertexKind FrontMesh::classify(int vertex) const {
   return is_straight ? VertexKind::line : VertexKind::corner;
 }
 
+bool FrontMesh::fits_kind(int vertex) const {
+  if (dimension_ == 1) return kind_[vertex] == classify(vertex);
+  if (kind_[vertex] == VertexKind::corner) return true;
+  const std::size_t num_edges = protected_edges(*this, vertex).size();
+  return num_edges == (kind_[vertex] == VertexKind::line ? 2 : 0);
+}
+
 bool FrontMesh::is_protected(int cell, int facet) const {
   const std::int32_t other = cells_[cell].neighbor[facet];
   return other == none || cells_[other].region != cells_[cell].region;

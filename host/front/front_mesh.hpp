@@ -139,6 +139,8 @@ class FrontMesh {
 
   void classify_vertices();
   VertexKind classify(int vertex) const;
+  /// Whether a vertex that may move does so within, or along, what is kept.
+  bool fits_kind(int vertex) const;
   void remove_cell(int cell);
   std::int32_t add_cell(const NewFrontCell& cell);
   void link(std::int32_t cell, std::vector<OpenFacet>& open);

@@ -62,6 +62,7 @@ void FrontMesh::check_vertex(int vertex) const {
   for (const auto& [cell, corner] : star_[vertex])
     if (!(is_alive_cell(cell) && cells_[cell].vertex[corner] == vertex))
       fail("vertex", vertex, "its star holds cell " + std::to_string(cell) + " that does not contain it");
+  if (!fits_kind(vertex)) fail("vertex", vertex, "its kind does not fit the boundary and interfaces there");
   const auto ends = line_neighbors(*this, vertex);
   if (!ends) return;
   const Point a = difference(position_[(*ends)[0]], position_[vertex]);

@@ -22,8 +22,13 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path file, std::string header)
-    : file_(std::move(file)), header_(std::move(header)) {}
+CsvFile::CsvFile(std::filesystem::path file, std::string header) : file_(std::move(file)), header_(std::move(header)) {
+  claim_folder();
+}
+
+void CsvFile::claim_folder() {
+  folder_ = identity_of(folder_of(file_));
+}
 
 void CsvFile::append(std::string_view lines) {
   std::string text = num_bytes_ == 0 ? header_ + "\n" : std::string();

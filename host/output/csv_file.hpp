@@ -19,6 +19,10 @@ class CsvFile {
  public:
   CsvFile(std::filesystem::path file, std::string header);
 
+  /// From now on the folder of the file must stay the one it is now. The constructor claims it already; a run that
+  /// moves an older result aside does so again.
+  void claim_folder();
+
   /// Appends complete lines in one write; other processes see all of them or none. Throws std::runtime_error if the
   /// file cannot be written, FolderLost if its folder or itself was deleted, replaced or written by others meanwhile;
   /// what is there now stays as it is.
@@ -39,8 +43,8 @@ class CsvFile {
   std::filesystem::path file_;
   std::string header_;
   std::int64_t num_bytes_ = 0;
-  std::optional<FileIdentity> folder_;    ///< of the file, from the first append on
-  std::optional<FileIdentity> identity_;  ///< of the file, likewise
+  std::optional<FileIdentity> folder_;    ///< as claimed or, if there was none then, as first written to
+  std::optional<FileIdentity> identity_;  ///< of the file, from the first append on
 };
 
 /// Adds the shortest decimal number that reads back as `value`.

@@ -201,6 +201,10 @@ void History::load(std::istream& stream) {
   impl_->rows = std::move(rows);
 }
 
+void History::claim_folder() {
+  impl_->file.claim_folder();
+}
+
 void History::add_written(WrittenFiles& files) const {
   impl_->file.add_written(files);
 }

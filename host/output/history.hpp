@@ -74,6 +74,8 @@ class History {
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
   void add_written(WrittenFiles& files) const;
+  /// The file belongs into the folder as it is now.
+  void claim_folder();
 
  private:
   struct Impl;

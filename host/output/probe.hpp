@@ -45,6 +45,7 @@ class Probe {
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
   void add_written(WrittenFiles& files) const { file_.add_written(files); }
+  void claim_folder() { file_.claim_folder(); }
 
  private:
   struct Sample {

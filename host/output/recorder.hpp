@@ -56,6 +56,8 @@ class Recorder {
 
   /// The files written so far.
   void add_written(WrittenFiles& files) const;
+  /// The tables belong into the folder as it is now.
+  void claim_folder();
 
  private:
   struct Impl;

@@ -1,6 +1,7 @@
 #include "host/solver/checkpoint.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <new>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include <unistd.h>
 
 #include "host/output/binary_stream.hpp"
+#include "host/output/file_identity.hpp"
 #include "host/solver/result_settings.hpp"
 
 namespace tentpole {
@@ -123,11 +125,21 @@ void require_output(const RunBooks& books, const FrontMarch& march) {
   require_written(files);
 }
 
+[[noreturn]] void lose_folder(const std::filesystem::path& path) {
+  throw FolderLost(
+      path.string() +
+      ": its folder was deleted, moved or replaced while a checkpoint was being written. It was given up.");
+}
+
 /// Waits until the rows of all tables in the folder are on the disk.
 void flush_tables(const std::filesystem::path& folder) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  std::error_code error;
+  const std::filesystem::directory_iterator entries(folder, error);
+  if (error) lose_folder(folder / "checkpoint.h5");
+  for (const auto& entry : entries) {
     if (entry.path().extension() != ".csv") continue;
     const int descriptor = open(entry.path().c_str(), O_RDONLY);
+    if (descriptor < 0 && errno == ENOENT) lose_folder(entry.path());
     if (descriptor < 0 || fsync(descriptor) != 0) {
       if (descriptor >= 0) close(descriptor);
       throw std::runtime_error(entry.path().string() + ": cannot be flushed to the disk. Check the free space.");

@@ -142,6 +142,8 @@ void Run::open_folder() {
     options_.prepare_folder();
   else
     std::filesystem::create_directories(options_.folder);
+  recorder_.claim_folder();
+  history_.claim_folder();
   if (options_.resume) load_checkpoint(*options_.resume, books_, *march_, options_.any_build);
   if (books_.builds.size() > 1) options_.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);

@@ -9,6 +9,7 @@ import shutil
 import signal
 import socket
 import sys
+import time
 
 from program import LONG, ProgramTest, main
 
@@ -77,6 +78,8 @@ class Ownership(ProgramTest):
         process = self.start(*LONG, "--set", "checkpoint.interval_minutes=1e-4")
         for name in ("checkpoint.h5", "history.csv", "snapshot_0001.vtkhdf"):
             self.wait_for(name)
+        while "snapshot_0001" not in (self.folder / "r/snapshot.vtkhdf.series").read_text():
+            time.sleep(0.001)
         process.send_signal(signal.SIGSTOP)
         change()
         process.send_signal(signal.SIGCONT)

@@ -55,7 +55,7 @@ def check_plane(snapshot):
 def check_space(snapshot):
     area = sum(polygon_area(snapshot.points[face]) for faces in surface_faces(snapshot) for face in faces)
     check_close("surface of the cube", area, 6 * SIDE**2)
-    polygons, values = cut_polygons(snapshot, 2, 0.47e-3)
+    polygons, values = cut_polygons(snapshot, 2, 0.47e-3, snapshot.fields["strain_energy_density"])
     check_close("cut of the cube", sum(polygon_area(polygon) for polygon in polygons), SIDE**2)
     assert len(values) == len(polygons) and np.all(values >= 0)
 

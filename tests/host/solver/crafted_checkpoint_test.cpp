@@ -11,6 +11,7 @@
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/run.hpp"
 #include "tests/host/solver/sample_cases.hpp"
+#include "tests/test_folder.hpp"
 
 // Checkpoints that no run wrote, with checksums that fit: refused with the file, the section and what is wrong.
 namespace tentpole {

@@ -9,6 +9,7 @@
 #include "host/solver/checkpoint_file.hpp"
 #include "host/solver/run.hpp"
 #include "tests/host/solver/sample_cases.hpp"
+#include "tests/test_folder.hpp"
 
 // A run whose numbers double precision cannot resolve ends with place and time instead of results that mean nothing.
 namespace tentpole {
