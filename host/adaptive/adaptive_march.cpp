@@ -76,7 +76,7 @@ std::vector<DefectTrigger> read_triggers(std::istream& stream) {
 
 }  // namespace
 
-AdaptiveMarch::AdaptiveMarch(RunBooks& books, const std::filesystem::path& folder)
+AdaptiveMarch::AdaptiveMarch(RunBooks& books, const OutputFolder& folder)
     : state_{.books = books,
              .front = AdaptiveFront(books.simulation.mesh, region_wave_speeds(books.simulation),
                                     front_rules(books.simulation)),

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "host/adaptive/advance_adaptive_front.hpp"
 
 namespace tentpole {
@@ -10,7 +8,7 @@ namespace tentpole {
 class AdaptiveMarch : public FrontMarch {
  public:
   /// Fits the front to the prepared cracks. Throws InputError where they do not lie in the domain.
-  AdaptiveMarch(RunBooks& books, const std::filesystem::path& folder);
+  AdaptiveMarch(RunBooks& books, const OutputFolder& folder);
 
   bool advance(const AdvanceOptions& options) override;
   int num_cells() const override { return state_.front.mesh().num_cells(); }

@@ -24,7 +24,7 @@ std::string file_name(int index) {
 void write_series_file(const CrackSeries::Options& options, int num_written) {
   std::vector<SeriesEntry> entries;
   for (int index = 0; index < num_written; ++index) entries.push_back({file_name(index), options.times[index]});
-  write_series(options.folder / "cracks.vtkhdf.series", entries);
+  write_series(options.folder, "cracks.vtkhdf.series", entries);
 }
 
 bool is_sound(const CrackSegment& segment) {
@@ -55,7 +55,7 @@ void CrackSeries::finish(double front_minimum_time) {
   while (num_written_ < static_cast<int>(times().size()) &&
          front_has_passed(front_minimum_time, times()[num_written_])) {
     std::vector<CrackSegment>& segments = segments_[num_written_];
-    write_vtkhdf(options_.folder / file_name(num_written_),
+    write_vtkhdf(options_.folder, file_name(num_written_),
                  crack_grid(options_.dimension, times()[num_written_], segments));
     segments = {};
     ++num_written_;

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <vector>
 
 #include "common/simplex.hpp"
 #include "host/output/crack_strip.hpp"
+#include "host/output/output_folder.hpp"
 #include "host/output/time_coverage.hpp"
 #include "host/output/written_files.hpp"
 
@@ -30,7 +30,7 @@ class CrackSeries {
  public:
   struct Options {
     int dimension = 0;  ///< 1 or 2
-    std::filesystem::path folder;
+    OutputFolder folder;
     std::vector<double> times;  ///< [s], strictly ascending: those of the snapshots
   };
 

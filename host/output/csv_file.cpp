@@ -14,21 +14,9 @@
 #include "host/output/binary_stream.hpp"
 
 namespace tentpole {
-namespace {
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : ".";
-}
-
-}  // namespace
-
-CsvFile::CsvFile(std::filesystem::path file, std::string header) : file_(std::move(file)), header_(std::move(header)) {
-  claim_folder();
-}
-
-void CsvFile::claim_folder() {
-  folder_ = identity_of(folder_of(file_));
-}
+CsvFile::CsvFile(OutputFolder folder, std::string name, std::string header)
+    : folder_(std::move(folder)), name_(std::move(name)), header_(std::move(header)) {}
 
 void CsvFile::append(std::string_view lines) {
   std::string text = num_bytes_ == 0 ? header_ + "\n" : std::string();
@@ -41,19 +29,16 @@ void CsvFile::append(std::string_view lines) {
   const bool cut = complete || written <= 0 || ftruncate(descriptor, num_bytes_) == 0;
   if (!complete)
     throw std::runtime_error(
-        file_.string() + ": cannot append rows: " + (written < 0 ? std::strerror(error) : "the disk is full") +
+        (folder_ / name_).string() + ": cannot append rows: " + (written < 0 ? std::strerror(error) : "the disk is full") +
         (cut ? "" : ", and its last line is incomplete") + ". Check the free space and the permissions of the folder.");
   num_bytes_ += written;
 }
 
 /// Through its folder, so that the file opened lies in the folder that was looked at.
 Descriptor CsvFile::open_own() {
-  const Descriptor folder(open(folder_of(file_).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  const std::optional<FileIdentity> now = identity_of(folder);
-  if (!folder_) folder_ = now;
-  if (!now || now != folder_) lose(now ? "another folder has taken the place of its own" : "its folder is gone");
+  const Descriptor folder = folder_.open();
   const bool creates = num_bytes_ == 0 && !identity_;
-  Descriptor file(openat(folder, file_.filename().c_str(),
+  Descriptor file(openat(folder, name_.c_str(),
                          O_WRONLY | O_APPEND | O_CLOEXEC | (creates ? O_CREAT | O_TRUNC : 0), 0666));
   if (file < 0 && errno == ENOENT) lose("it was deleted");
   if (file >= 0) check_own(file);
@@ -73,7 +58,7 @@ void CsvFile::check_own(int descriptor) {
 }
 
 void CsvFile::lose(const std::string& what) const {
-  throw FolderLost(file_.string() + ": the table is not this run's any more: " + what +
+  throw FolderLost((folder_ / name_).string() + ": the table is not this run's any more: " + what +
                    ". Nothing was written there. Let each run have a folder of its own, and start this one anew or go "
                    "on from a checkpoint.");
 }
@@ -87,7 +72,7 @@ void CsvFile::load(std::istream& stream) {
 }
 
 void CsvFile::add_written(WrittenFiles& files) const {
-  if (num_bytes_ > 0) files.push_back({file_, num_bytes_});
+  if (num_bytes_ > 0) files.push_back({folder_ / name_, num_bytes_});
 }
 
 void append_number(std::string& line, double value) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "host/output/descriptor.hpp"
 #include "host/output/file_identity.hpp"
+#include "host/output/output_folder.hpp"
 #include "host/output/written_files.hpp"
 
 namespace tentpole {
@@ -17,11 +17,7 @@ namespace tentpole {
 /// what was loaded, so a resumed run touches nothing before. From then on it is this run's alone.
 class CsvFile {
  public:
-  CsvFile(std::filesystem::path file, std::string header);
-
-  /// From now on the folder of the file must stay the one it is now. The constructor claims it already; a run that
-  /// moves an older result aside does so again.
-  void claim_folder();
+  CsvFile(OutputFolder folder, std::string name, std::string header);
 
   /// Appends complete lines in one write; other processes see all of them or none. Throws std::runtime_error if the
   /// file cannot be written, FolderLost if its folder or itself was deleted, replaced or written by others meanwhile;
@@ -40,10 +36,10 @@ class CsvFile {
   void check_own(int descriptor);
   [[noreturn]] void lose(const std::string& what) const;
 
-  std::filesystem::path file_;
+  OutputFolder folder_;
+  std::string name_;
   std::string header_;
   std::int64_t num_bytes_ = 0;
-  std::optional<FileIdentity> folder_;    ///< as claimed or, if there was none then, as first written to
   std::optional<FileIdentity> identity_;  ///< of the file, from the first append on
 };
 

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 #include "host/case_file/input_error.hpp"
-#include "host/output/file_identity.hpp"
+#include "host/output/output_folder.hpp"
 
 namespace tentpole {
 namespace {
@@ -144,22 +144,12 @@ bool FolderLock::is_own_file() const {
 }
 
 void FolderLock::require() const {
-  const std::string name = folder_.string();
-  const std::optional<FileIdentity> now = identity_of(folder_);
-  if (!now)
-    throw FolderLost(name +
-                     ": the result folder was deleted or moved while the run was at work. Nothing was written "
-                     "since. Start the run anew, or go on from a checkpoint where the folder is now.");
-  if (now != identity_of(directory_))
-    throw FolderLost(name +
-                     ": another folder has taken the place of the run's result folder. Nothing was written "
-                     "there. Start the run anew with another --out, or go on from a checkpoint where its folder "
-                     "is now.");
+  require_same_folder(folder_, identity_of(folder_), identity_of(directory_));
   if (is_own_file()) return;
   const Descriptor other(openat(directory_, file_name, O_RDONLY | O_CLOEXEC));
   const std::optional<LockRecord> owner = other >= 0 ? read_record(other) : std::nullopt;
   throw FolderLost(
-      name + ": " +
+      folder_.string() + ": " +
       (owner ? "another run has taken over the result folder (" + owner_text(*owner) + ")"
              : "the lock file " + file().string() + " was deleted, so another run may work in the result folder") +
       ". Nothing was written there since. Start one of them anew with another --out.");

@@ -98,9 +98,9 @@ std::string History::Impl::line(int index, const FlowSums& cumulative, const Fro
   return text + '\n';
 }
 
-History::History(const std::filesystem::path& folder, double interval, double end) {
+History::History(const OutputFolder& folder, double interval, double end) {
   std::vector<double> times = times_at_interval(interval, end);
-  impl_ = std::make_unique<Impl>(Impl{.file = CsvFile(folder / "history.csv", header),
+  impl_ = std::make_unique<Impl>(Impl{.file = CsvFile(folder, "history.csv", header),
                                       .times = times,
                                       .rows = std::vector<Row>(times.size()),
                                       .passed = {},
@@ -199,10 +199,6 @@ void History::load(std::istream& stream) {
     throw std::runtime_error("the checkpoint has " + std::to_string(rows.size()) + " history rows and the case " +
                              std::to_string(impl_->rows.size()) + "; resume with the case file of the checkpoint");
   impl_->rows = std::move(rows);
-}
-
-void History::claim_folder() {
-  impl_->file.claim_folder();
 }
 
 void History::add_written(WrittenFiles& files) const {

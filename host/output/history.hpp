@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <memory>
 #include <vector>
 
 #include "host/fracture/crack_edge_state.hpp"
+#include "host/output/output_folder.hpp"
 #include "host/output/time_coverage.hpp"
 #include "host/output/written_files.hpp"
 
@@ -40,7 +40,7 @@ class History {
   /// Rows at 0, interval, 2 interval, .., end [s] (`end` always the last); nothing is written before the
   /// first finish(), which replaces an older file.
   /// Throws std::invalid_argument unless 0 < interval and 0 < end, std::runtime_error if the file cannot be written.
-  History(const std::filesystem::path& folder, double interval, double end);
+  History(const OutputFolder& folder, double interval, double end);
   ~History();
   History(History&&) noexcept;
   History& operator=(History&&) noexcept;
@@ -74,8 +74,6 @@ class History {
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
   void add_written(WrittenFiles& files) const;
-  /// The file belongs into the folder as it is now.
-  void claim_folder();
 
  private:
   struct Impl;

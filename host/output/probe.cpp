@@ -48,10 +48,10 @@ bool contains(const ElementFields& fields, int dimension, std::span<const double
 
 }  // namespace
 
-Probe::Probe(int dimension, const std::filesystem::path& folder, ProbeOptions options)
+Probe::Probe(int dimension, const OutputFolder& folder, ProbeOptions options)
     : dimension_(dimension),
       options_(std::move(options)),
-      file_(folder / ("probe_" + checked_name(options_.name) + ".csv"), header(dimension)),
+      file_(folder, "probe_" + checked_name(options_.name) + ".csv", header(dimension)),
       samples_(options_.times.size()) {
   check_output_times(options_.times, "probe " + options_.name);
 }

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "host/output/csv_file.hpp"
+#include "host/output/output_folder.hpp"
 #include "host/output/spacetime_element.hpp"
 #include "host/output/time_coverage.hpp"
 
@@ -26,7 +26,7 @@ struct ProbeOptions {
 class Probe {
  public:
   /// Throws std::invalid_argument for times out of order or a name that cannot be part of a file name.
-  Probe(int dimension, const std::filesystem::path& folder, ProbeOptions options);
+  Probe(int dimension, const OutputFolder& folder, ProbeOptions options);
 
   /// Memory that every sample time takes from the beginning to the end of a run.
   static constexpr std::size_t bytes_per_row() { return sizeof(Sample) + sizeof(double); }
@@ -45,7 +45,6 @@ class Probe {
   void save(std::ostream& stream) const;
   void load(std::istream& stream);
   void add_written(WrittenFiles& files) const { file_.add_written(files); }
-  void claim_folder() { file_.claim_folder(); }
 
  private:
   struct Sample {

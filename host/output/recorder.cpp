@@ -65,10 +65,6 @@ void Recorder::finish(double front_minimum_time) {
   for (Probe& probe : impl_->probes) probe.finish(front_minimum_time);
 }
 
-void Recorder::claim_folder() {
-  for (Probe& probe : impl_->probes) probe.claim_folder();
-}
-
 void Recorder::save(std::ostream& stream) const {
   impl_->snapshots.save(stream);
   for (const Probe& probe : impl_->probes) probe.save(stream);

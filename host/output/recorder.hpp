@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <memory>
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/output/output_folder.hpp"
 #include "host/output/probe.hpp"
 #include "host/output/spacetime_element.hpp"
 
@@ -17,7 +17,7 @@ struct RecorderOptions {
   int dimension = 0;
   int degree = 0;
   bool plane_stress = false;           ///< D = 2: the out-of-plane stress is 0 instead of lambda tr E
-  std::filesystem::path folder;        ///< must exist when the first file is written
+  OutputFolder folder;                 ///< must exist when the first file is written
   std::vector<double> snapshot_times;  ///< [s], ascending
   /// Among displacement, velocity, stress, strain_energy_density, and damage, which is one value per element.
   std::vector<std::string> fields;
@@ -56,8 +56,6 @@ class Recorder {
 
   /// The files written so far.
   void add_written(WrittenFiles& files) const;
-  /// The tables belong into the folder as it is now.
-  void claim_folder();
 
  private:
   struct Impl;

@@ -148,7 +148,7 @@ double RunSummary::Energy::balance_error() const {
   return initial + external_work - kinetic - strain - fracture - friction - numerical;
 }
 
-void write_run_summary(const std::filesystem::path& folder, const RunSummary& summary) {
+void write_run_summary(const OutputFolder& folder, const RunSummary& summary) {
   Json json;
   NumberWriter numbers(summary.warnings);
   add_identity(summary, json);
@@ -163,7 +163,7 @@ void write_run_summary(const std::filesystem::path& folder, const RunSummary& su
   add_machine(json);
   json["warnings"] = numbers.warnings();
   // Titles may hold any bytes; those that are not UTF-8 are replaced rather than refused.
-  replace_text_file(folder / "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  replace_text_file(folder, "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace tentpole

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "host/output/output_folder.hpp"
 
 namespace tentpole {
 
@@ -116,6 +117,6 @@ struct RunSummary {
 /// patches and dofs per second of the total, gflops = flops per second of assembly + solution + post-solution. Numbers
 /// that are not finite become null and a warning that names them. Throws std::runtime_error if the file cannot be
 /// written.
-void write_run_summary(const std::filesystem::path& folder, const RunSummary& summary);
+void write_run_summary(const OutputFolder& folder, const RunSummary& summary);
 
 }  // namespace tentpole

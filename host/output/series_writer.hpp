@@ -1,8 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
+
+#include "host/output/output_folder.hpp"
 
 namespace tentpole {
 
@@ -12,7 +13,7 @@ struct SeriesEntry {
   double time;  ///< [s]
 };
 
-/// Writes ParaView's file-series JSON, atomically; `file` should be named NAME.vtkhdf.series.
-void write_series(const std::filesystem::path& file, std::span<const SeriesEntry> entries);
+/// Writes ParaView's file-series JSON, atomically; `name` should be NAME.vtkhdf.series.
+void write_series(const OutputFolder& folder, const std::string& name, std::span<const SeriesEntry> entries);
 
 }  // namespace tentpole

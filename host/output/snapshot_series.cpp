@@ -180,13 +180,13 @@ void SnapshotSeries::write_snapshot(int index) {
   }
   for (std::size_t number = 0; number < pieces.size(); ++number)
     append_piece(pieces[number], static_cast<std::int64_t>(number), grid);
-  write_vtkhdf(options_.folder / snapshot_name(index), grid);
+  write_vtkhdf(options_.folder, snapshot_name(index), grid);
 }
 
 void SnapshotSeries::write_series_file() const {
   std::vector<SeriesEntry> entries;
   for (int index = 0; index < num_written_; ++index) entries.push_back({snapshot_name(index), options_.times[index]});
-  write_series(options_.folder / "snapshot.vtkhdf.series", entries);
+  write_series(options_.folder, "snapshot.vtkhdf.series", entries);
 }
 
 void SnapshotSeries::save(std::ostream& stream) const {

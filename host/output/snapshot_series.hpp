@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
+#include "host/output/output_folder.hpp"
 #include "host/output/slice_cells.hpp"
 #include "host/output/spacetime_element.hpp"
 #include "host/output/time_coverage.hpp"
@@ -30,7 +30,7 @@ class SnapshotSeries {
   struct Options {
     int num_subdivisions = 1;  ///< per edge of a slice
     bool plane_stress = false;
-    std::filesystem::path folder;
+    OutputFolder folder;
     std::vector<double> times;        ///< [s], strictly ascending
     std::vector<std::string> fields;  ///< see RecorderOptions
   };

@@ -141,13 +141,13 @@ void write_grid_file(const std::filesystem::path& file, const UnstructuredGrid& 
 
 }  // namespace
 
-void write_vtkhdf(const std::filesystem::path& file, const UnstructuredGrid& grid) {
+void write_vtkhdf(const OutputFolder& folder, const std::string& name, const UnstructuredGrid& grid) {
   check_grid(grid);
-  replace_file(file, [&](const std::filesystem::path& partial) {
+  replace_file(folder, name, [&](const std::filesystem::path& partial) {
     try {
       write_grid_file(partial, grid);
     } catch (const std::runtime_error& error) {
-      throw std::runtime_error(file.string() + ": " + error.what());
+      throw std::runtime_error((folder / name).string() + ": " + error.what());
     }
   });
 }

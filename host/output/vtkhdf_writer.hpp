@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "host/output/output_folder.hpp"
 
 namespace tentpole {
 
@@ -31,6 +32,6 @@ struct UnstructuredGrid {
 /// Writes a VTKHDF 1.0 file of type UnstructuredGrid with one piece, atomically. Equal grids give bitwise equal files.
 /// Throws std::invalid_argument where an array does not fit the grid, std::runtime_error where the file cannot be
 /// written. Source: VTK file formats, "VTKHDF".
-void write_vtkhdf(const std::filesystem::path& file, const UnstructuredGrid& grid);
+void write_vtkhdf(const OutputFolder& folder, const std::string& name, const UnstructuredGrid& grid);
 
 }  // namespace tentpole

@@ -125,33 +125,20 @@ void require_output(const RunBooks& books, const FrontMarch& march) {
   require_written(files);
 }
 
-[[noreturn]] void lose_folder(const std::filesystem::path& path) {
-  throw FolderLost(
-      path.string() +
-      ": its folder was deleted, moved or replaced while a checkpoint was being written. It was given up.");
-}
-
 /// Waits until the rows of all tables in the folder are on the disk.
-void flush_tables(const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::directory_iterator entries(folder, error);
-  if (error) lose_folder(folder / "checkpoint.h5");
-  for (const auto& entry : entries) {
+void flush_tables(const OutputFolder& folder) {
+  const Descriptor directory = folder.open();
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     if (entry.path().extension() != ".csv") continue;
-    const int descriptor = open(entry.path().c_str(), O_RDONLY);
-    if (descriptor < 0 && errno == ENOENT) lose_folder(entry.path());
-    if (descriptor < 0 || fsync(descriptor) != 0) {
-      if (descriptor >= 0) close(descriptor);
+    const Descriptor table(openat(directory, entry.path().filename().c_str(), O_RDONLY | O_CLOEXEC));
+    if (table < 0 || fsync(table) != 0)
       throw std::runtime_error(entry.path().string() + ": cannot be flushed to the disk. Check the free space.");
-    }
-    close(descriptor);
   }
 }
 
 }  // namespace
 
-void save_checkpoint(const std::filesystem::path& file, const std::filesystem::path& result_folder, RunBooks& books,
-                     const FrontMarch& march) {
+void save_checkpoint(const OutputFolder& folder, RunBooks& books, const FrontMarch& march) {
   const ScopedStage stage(books.timer, Stage::output);
   CheckpointContents contents;
   contents.builds = books.builds;
@@ -163,8 +150,13 @@ void save_checkpoint(const std::filesystem::path& file, const std::filesystem::p
   for (int i = 0; i < num_stages; ++i) contents.stage_seconds.push_back(books.timer.seconds(static_cast<Stage>(i)));
   contents.run_counts = {books.traffic.bytes_to_device, books.traffic.bytes_from_device, books.traffic.launches,
                          books.num_fallbacks()};
-  flush_tables(result_folder);
-  write_checkpoint_file(file, contents);
+  try {
+    flush_tables(folder);
+  } catch (const std::runtime_error&) {
+    folder.open();  // that it is lost says more than that a table is
+    throw;
+  }
+  write_checkpoint_file(folder, contents);
 }
 
 void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march, bool any_build) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "host/output/output_folder.hpp"
 #include "host/solver/front_march.hpp"
 #include "host/solver/run_books.hpp"
 
@@ -10,10 +11,9 @@ namespace tentpole {
 /// Writes everything that a run needs to go on bitwise identically: front, the elements below it (renumbered by cell,
 /// so the file is as large as the front), the books, and where the output files stood. The state must be settled: every
 /// tent pitched is committed. The rows of the output tables reach the disk first, so that even after a power failure
-/// the tables are at least as long as the checkpoint says. Throws std::runtime_error if the file cannot be written; an
-/// older checkpoint is then untouched.
-void save_checkpoint(const std::filesystem::path& file, const std::filesystem::path& result_folder, RunBooks& books,
-                     const FrontMarch& march);
+/// the tables are at least as long as the checkpoint says. Throws std::runtime_error if the file cannot be written, FolderLost
+/// if the folder is not the one claimed; an older checkpoint is then untouched.
+void save_checkpoint(const OutputFolder& folder, RunBooks& books, const FrontMarch& march);
 
 /// Puts a checkpoint into the state of a run that has not begun; its next rows follow those that the checkpoint knows.
 /// Batch size, threads and device may differ from those of the run that wrote it. Touches no output file.

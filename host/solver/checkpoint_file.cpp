@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <hdf5.h>
+#include <unistd.h>
 
 #include "host/case_file/input_error.hpp"
 #include "host/output/atomic_file.hpp"
@@ -203,30 +204,25 @@ void check_format(const Reader& read) {
                              "; only the program that wrote it can go on");
 }
 
-/// Where replace_file prepares the file.
-std::filesystem::path partial_file(const std::filesystem::path& file) {
-  return file.parent_path() / ("." + file.filename().string() + ".partial");
-}
-
 }  // namespace
 
-void write_checkpoint_file(const std::filesystem::path& file, const CheckpointContents& contents) {
+void write_checkpoint_file(const OutputFolder& folder, const CheckpointContents& contents) {
   const QuietErrors quiet;
   try {
-    replace_file(file, [&](const std::filesystem::path& partial) { write_to(partial, contents); });
+    replace_file(folder, checkpoint_name, [&](const std::filesystem::path& partial) { write_to(partial, contents); });
   } catch (const FolderLost&) {
     throw;  // nothing is removed in a folder that may be another run's
   } catch (const std::runtime_error& error) {
-    std::error_code ignored;
-    std::filesystem::remove(partial_file(file), ignored);
-    throw std::runtime_error(file.string() + ": the checkpoint cannot be written: " + error.what() +
-                             ". Check the free space and the permissions of the folder.");
+    unlinkat(folder.open(), partial_name(checkpoint_name).c_str(), 0);
+    throw std::runtime_error((folder / checkpoint_name).string() + ": the checkpoint cannot be written: " +
+                             error.what() + ". Check the free space and the permissions of the folder.");
   }
 }
 
-void remove_checkpoint_file(const std::filesystem::path& file) {
-  std::filesystem::remove(file);
-  std::filesystem::remove(partial_file(file));
+void remove_checkpoint_file(const OutputFolder& folder) {
+  const Descriptor directory = folder.open();
+  unlinkat(directory, checkpoint_name, 0);
+  unlinkat(directory, partial_name(checkpoint_name).c_str(), 0);
 }
 
 CheckpointContents read_checkpoint_file(const std::filesystem::path& file) {

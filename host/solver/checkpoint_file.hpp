@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/output/output_folder.hpp"
+
 namespace tentpole {
 
 /// Key and value of one setting, e.g. ("material.all.density", "3690").
@@ -26,12 +28,15 @@ struct CheckpointContents {
   std::vector<std::int64_t> run_counts;    ///< bytes to the device, bytes from it, launches, dense fallbacks
 };
 
+/// Name of the checkpoint in a result folder.
+inline constexpr const char* checkpoint_name = "checkpoint.h5";
+
 /// Writes the file atomically: under its name there is always a complete checkpoint. Data and metadata carry checksums.
-/// Throws std::runtime_error with the path if it cannot be written.
-void write_checkpoint_file(const std::filesystem::path& file, const CheckpointContents& contents);
+/// Throws std::runtime_error with the path if it cannot be written, FolderLost if the folder is not the one claimed.
+void write_checkpoint_file(const OutputFolder& folder, const CheckpointContents& contents);
 
 /// Removes it, and what a killed program left of writing it. A file that does not exist is no error.
-void remove_checkpoint_file(const std::filesystem::path& file);
+void remove_checkpoint_file(const OutputFolder& folder);
 
 /// Reads it back bit by bit. Throws InputError for a file that is no checkpoint, of another format version, or damaged;
 /// whatever its bytes are, no more memory is asked for than the file is long.

@@ -33,13 +33,13 @@ std::string field_name(OutputField field) {
   return "";
 }
 
-RecorderOptions recorder_options(const Simulation& simulation, const RunOptions& run) {
+RecorderOptions recorder_options(const Simulation& simulation, const RunOptions& run, const OutputFolder& folder) {
   const Case& settings = simulation.settings;
   RecorderOptions options;
   options.dimension = simulation.dimension();
   options.degree = simulation.degree();
+  options.folder = folder;
   options.plane_stress = settings.materials.begin()->second.plane == Plane::stress;
-  options.folder = run.folder;
   options.require_folder = run.require_folder;
   options.snapshot_times = settings.output.snapshot_times;
   for (const OutputField field : settings.output.fields) options.fields.push_back(field_name(field));
@@ -67,7 +67,7 @@ int batch_size(const Case& settings, const Device& device) {
   return device.kind == DeviceKind::gpu ? 16384 : 512;
 }
 
-std::unique_ptr<FrontMarch> make_march(RunBooks& books, const std::filesystem::path& folder) {
+std::unique_ptr<FrontMarch> make_march(RunBooks& books, const OutputFolder& folder) {
   const Case& settings = books.simulation.settings;
   if (settings.adaptivity.enabled || settings.fracture.enabled) return std::make_unique<AdaptiveMarch>(books, folder);
   return std::make_unique<FixedMarch>(books);
@@ -98,7 +98,9 @@ class Run {
   bool advance();
   /// Call once, after advance().
   RunSummary summary();
-  std::filesystem::path checkpoint_file() const { return options_.folder / "checkpoint.h5"; }
+  std::filesystem::path checkpoint_file() const { return folder_ / checkpoint_name; }
+  /// After the end: its result is complete, and there is nothing to go on from.
+  void finish(const RunSummary& summary);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -113,6 +115,7 @@ class Run {
 
   const Simulation& simulation_;
   const RunOptions& options_;
+  const OutputFolder folder_;
   StageTimer timer_;
   TrafficCounters traffic_;
   Clock::time_point counted_ = Clock::now();  ///< up to here the total time is counted
@@ -130,20 +133,20 @@ class Run {
 Run::Run(const Simulation& simulation, const RunOptions& options)
     : simulation_(checked(simulation)),
       options_(options),
+      folder_(options.folder),
       runner_(simulation, options.device, options.threads, timer_, traffic_),
-      recorder_(recorder_options(simulation, options)),
-      history_(options.folder, simulation.settings.output.history_interval, simulation.settings.end_time),
+      recorder_(recorder_options(simulation, options, folder_)),
+      history_(folder_, simulation.settings.output.history_interval, simulation.settings.end_time),
       ledger_(simulation, recorder_, history_),
       books_{simulation, store_, runner_, ledger_, recorder_, history_, timer_, traffic_},
-      march_(make_march(books_, options.folder)) {}
+      march_(make_march(books_, folder_)) {}
 
 void Run::open_folder() {
   if (options_.prepare_folder)
     options_.prepare_folder();
   else
     std::filesystem::create_directories(options_.folder);
-  recorder_.claim_folder();
-  history_.claim_folder();
+  folder_.claim();
   if (options_.resume) load_checkpoint(*options_.resume, books_, *march_, options_.any_build);
   if (books_.builds.size() > 1) options_.note(other_build_warning(books_));
   timer_.add(Stage::initialization, Clock::now() - counted_);
@@ -203,7 +206,7 @@ bool Run::checkpoint_is_due() const {
 void Run::save() {
   options_.require_folder();
   count_total_time();
-  save_checkpoint(checkpoint_file(), options_.folder, books_, *march_);
+  save_checkpoint(folder_, books_, *march_);
   last_save_ = Clock::now();
 }
 
@@ -219,6 +222,12 @@ std::string Run::save_after_failure() {
   } catch (const std::exception& error) {
     return std::string("\nNo checkpoint could be written: ") + error.what();
   }
+}
+
+void Run::finish(const RunSummary& summary) {
+  options_.require_folder();
+  write_run_summary(folder_, summary);
+  remove_checkpoint_file(folder_);
 }
 
 void Run::count_total_time() {
@@ -267,9 +276,7 @@ RunResult run_simulation(const Simulation& simulation, const RunOptions& options
   if (result.interrupted) {
     result.checkpoint = run.checkpoint_file();
   } else {
-    options.require_folder();
-    write_run_summary(options.folder, result.summary);
-    remove_checkpoint_file(run.checkpoint_file());
+    run.finish(result.summary);
   }
   return result;
 }

@@ -153,7 +153,7 @@ class Subject {
     AdvanceOptions options{.max_patches = 16};
     options.after_batch = [left = 5](double) mutable { return --left > 0; };
     march->advance(options);
-    save_checkpoint(file(), folder_, run_.books, *march);
+    save_checkpoint(folder_, run_.books, *march);
     good_ = read_checkpoint_file(file());
   }
 

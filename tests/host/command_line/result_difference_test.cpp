@@ -22,7 +22,7 @@ void write_snapshot(const std::filesystem::path& folder, const std::string& name
   grid.offsets = {0, 3};
   grid.types = {5};
   grid.point_data = {{"energy", 1, {1, 2, 3}}, {"stress", 1, stress}};
-  write_vtkhdf(folder / name, grid);
+  write_vtkhdf(folder, name, grid);
 }
 
 TEST(ResultDifference, IsRelativeToTheLargestValueOfTheWholeRun) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 TEST(CsvFile, ReplacesAnOlderFileAndGrows) {
   const TemporaryFolder root;
   root.write("t.csv", "old\n");
-  CsvFile file(root.path() / "t.csv", "a,b");
+  CsvFile file(root.path(), "t.csv", "a,b");
   file.append("1,2\n");
   file.append("3,4\n5,6\n");
   EXPECT_EQ(root.read("t.csv"), "a,b\n1,2\n3,4\n5,6\n");
@@ -23,11 +23,11 @@ TEST(CsvFile, ReplacesAnOlderFileAndGrows) {
 TEST(CsvFile, LoadedOneGoesOnWhereItWasSaved) {
   const TemporaryFolder root;
   std::stringstream checkpoint;
-  CsvFile first(root.path() / "t.csv", "a");
+  CsvFile first(root.path(), "t.csv", "a");
   first.append("1\n");
   first.save(checkpoint);
   first.append("2\n");
-  CsvFile second(root.path() / "t.csv", "a");
+  CsvFile second(root.path(), "t.csv", "a");
   second.load(checkpoint);
   EXPECT_EQ(root.read("t.csv"), "a\n1\n2\n") << "nothing is touched before the first row";
   second.append("3\n");
@@ -40,7 +40,7 @@ template <class Change>
 std::string loss(const TemporaryFolder& root, const Change& change) {
   const fs::path folder = root.path() / "r";
   fs::create_directory(folder);
-  CsvFile file(folder / "t.csv", "a");
+  CsvFile file(folder, "t.csv", "a");
   file.append("1\n");
   change(folder);
   try {
@@ -60,14 +60,14 @@ TEST(CsvFile, NeverWritesIntoAFolderOrFileThatIsAnothers) {
   {
     const TemporaryFolder root;
     const std::string message = loss(root, replace_folder);
-    EXPECT_NE(message.find("r/t.csv: the table is not this run's any more: another folder"), std::string::npos)
+    EXPECT_NE(message.find("r: another folder has taken the place of the run's result folder"), std::string::npos)
         << message;
     EXPECT_EQ(root.read("r/t.csv"), "a\nx\n");
     EXPECT_EQ(root.read("r.1/t.csv"), "a\n1\n");
   }
   {
     const TemporaryFolder root;
-    EXPECT_NE(loss(root, [](const fs::path& folder) { fs::remove_all(folder); }).find("its folder is gone"),
+    EXPECT_NE(loss(root, [](const fs::path& folder) { fs::remove_all(folder); }).find("the result folder was deleted or moved"),
               std::string::npos);
     EXPECT_TRUE(fs::is_empty(root.path()));
   }

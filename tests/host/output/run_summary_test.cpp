@@ -94,7 +94,7 @@ TEST(RunSummary, NumbersThatAreNotFiniteBecomeNullAndAWarning) {
 }
 
 TEST(RunSummary, ReportsAFolderThatCannotBeWritten) {
-  EXPECT_THROW(write_run_summary("/proc/no_such_folder", RunSummary{}), std::runtime_error);
+  EXPECT_THROW(write_run_summary(OutputFolder("/proc/no_such_folder"), RunSummary{}), std::runtime_error);
 }
 
 }  // namespace

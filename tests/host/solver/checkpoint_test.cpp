@@ -201,7 +201,7 @@ TEST_F(RefusedCheckpoint, OfAnotherBuildNamesBothAndGoesOnWhenForced) {
   ASSERT_EQ(contents.builds, std::vector{build_identity()});
   const std::string other = "tentpole 0.0.9, sources 0123456789ab, g++ 4";
   contents.builds = {other};
-  write_checkpoint_file(file, contents);
+  write_checkpoint_file(folder_, contents);
   const std::string message = refusal(simulation_, folder_);
   for (const std::string& part : {file.string(), other, build_identity(), std::string("--force")})
     EXPECT_NE(message.find(part), std::string::npos) << message;
@@ -316,7 +316,7 @@ TEST(FailedRun, LeavesTheStateBeforeTheFaultInACheckpointAndSaysWhere) {
     // Until the fault both loads are the same, so with the settings of the sound run the checkpoint is one of it.
     CheckpointContents contents = read_checkpoint_file(folder / "checkpoint.h5");
     contents.settings = result_settings(sound);
-    write_checkpoint_file(folder / "checkpoint.h5", contents);
+    write_checkpoint_file(folder, contents);
     run_leg(sound, folder, {}, true);
     EXPECT_EQ(results_in(folder), results_in(whole)) << fault;
   }
@@ -395,7 +395,7 @@ TEST(Checkpoint, CarriesTimesTrafficAndFallbacksOn) {
   EXPECT_GT(contents.stage_seconds[static_cast<int>(Stage::total)], 0);
   contents.stage_seconds[static_cast<int>(Stage::total)] = 1000;
   contents.run_counts = {1 << 20, 1 << 21, 1 << 22, 7};
-  write_checkpoint_file(folder / "checkpoint.h5", contents);
+  write_checkpoint_file(folder, contents);
   const RunSummary summary = run_leg(simulation, folder, {}, true).summary;
   EXPECT_GT(summary.stages.total.seconds, 1000);
   EXPECT_LT(summary.stages.total.seconds, 1100);

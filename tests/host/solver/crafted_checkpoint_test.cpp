@@ -53,7 +53,7 @@ class CraftedCheckpoint : public testing::TestWithParam<int> {
     return "resumed";
   }
   std::string outcome_of(const CheckpointContents& contents) const {
-    write_checkpoint_file(file(), contents);
+    write_checkpoint_file(folder_, contents);
     return outcome();
   }
   void expect_refused(const CheckpointContents& contents, const std::vector<std::string>& parts) const {
