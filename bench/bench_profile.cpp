@@ -15,8 +15,8 @@
 #include "bench/repeat_timed.hpp"
 #include "bench/run_benchmarks.hpp"
 #include "bench/sample_patches.hpp"
-#include "kernels/dense_patch_solve.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch/patch_solver.hpp"
+#include "kernels/patch/dense_patch_solve.hpp"
 
 namespace tentpole {
 namespace {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int num_updates = 100;  // the thesis averages over a hundred
 constexpr int num_patches = 64;
-constexpr int chunk = 4;  // patches that a thread takes at a time (kernels/patch_solver.cpp)
+constexpr int chunk = 4;  // patches that a thread takes at a time (kernels/launch/patch_solver.cpp)
 
 /// 100 updates of one matrix, rows over threads.
 class HostRows {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernels/larger_or_nan.hpp"
+#include "kernels/element/larger_or_nan.hpp"
 
 namespace tentpole {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/assembly/element_updates.hpp"
-#include "kernels/reference_tables.hpp"
+#include "kernels/element/reference_tables.hpp"
 
 namespace tentpole {
 

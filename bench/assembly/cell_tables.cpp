@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "common/simplex.hpp"
-#include "kernels/orthonormal_basis.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/orthonormal_basis.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

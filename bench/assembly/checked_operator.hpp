@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernels/element_operator.hpp"
+#include "kernels/element/element_operator.hpp"
 
 namespace tentpole {
 

@@ -27,7 +27,8 @@ void add_on_cpu_device(const DeviceUpdate update, int device_number, int num_thr
   }
 }
 
-// Rows over teams, columns over the lanes of a team, which all run from the start (kernels/launch.hpp has the reasons).
+// Rows over teams, columns over the lanes of a team, which all run from the start (kernels/launch/launch.hpp has the
+// reasons).
 void add_on_gpu(const DeviceUpdate update, int device_number, int num_teams, int num_lanes) {
   const int n = update.num_unknowns;
 #pragma omp target teams num_teams(num_teams) thread_limit(num_lanes) device(device_number) firstprivate(update)

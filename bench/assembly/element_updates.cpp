@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/orthonormal_basis.hpp"
-#include "kernels/rigid_modes.reference.hpp"
+#include "kernels/element/orthonormal_basis.hpp"
+#include "kernels/reference/rigid_modes.reference.hpp"
 
 namespace tentpole {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "bench/assembly/cell_tables.hpp"
-#include "kernels/patch_batch.hpp"
-#include "kernels/point_state.reference.hpp"
+#include "kernels/element/patch_batch.hpp"
+#include "kernels/reference/point_state.reference.hpp"
 
 namespace tentpole {
 
@@ -26,7 +26,8 @@ struct UpdateRows {
 /// All updates that the quadrature of one element makes, in order: points of the volume (1 term each), of the inflow
 /// facet (d terms), of the vertical facets (D terms), and the rigid modes (all in one update, D (D + 1) / 2 terms);
 /// then, if asked for, the points of the interior facets once more for the blocks of the neighbours.
-/// Terms as in kernels/patch_matrix.reference.hpp, kappa = 1, tents without fracture facets, same material everywhere.
+/// Terms as in kernels/reference/patch_matrix.reference.hpp, kappa = 1, tents without fracture facets, same material
+/// everywhere.
 class ElementUpdates {
  public:
   /// `tables` and what `batch` points to must outlive the object. element: index in the batch.

@@ -5,8 +5,8 @@
 
 #include "bench/assembly/checked_operator.hpp"
 #include "bench/assembly/own_rungs.hpp"
-#include "kernels/element_matrix.hpp"
-#include "kernels/with_dimension.hpp"
+#include "kernels/element/with_dimension.hpp"
+#include "kernels/formulation/one_field/element_matrix.hpp"
 
 namespace tentpole {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernels/point_state.reference.hpp"
-#include "kernels/principal_stress.hpp"
-#include "kernels/simd.hpp"
-#include "kernels/with_dimension.hpp"
+#include "kernels/element/principal_stress.hpp"
+#include "kernels/element/simd.hpp"
+#include "kernels/element/with_dimension.hpp"
+#include "kernels/reference/point_state.reference.hpp"
 
 namespace tentpole {
 namespace {

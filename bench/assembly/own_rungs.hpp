@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernels/patch_batch.hpp"
-#include "kernels/reference_tables.hpp"
+#include "kernels/element/patch_batch.hpp"
+#include "kernels/element/reference_tables.hpp"
 
 namespace tentpole {
 

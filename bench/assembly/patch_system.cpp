@@ -1,6 +1,6 @@
 #include "bench/assembly/patch_system.hpp"
 
-#include "kernels/simd.hpp"
+#include "kernels/element/simd.hpp"
 
 namespace tentpole {
 

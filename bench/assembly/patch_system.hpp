@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/assembly/rungs.hpp"
-#include "kernels/patch_matrix.reference.hpp"
+#include "kernels/reference/patch_matrix.reference.hpp"
 #include "tests/kernels/tent_samples.hpp"
 
 namespace tentpole {

@@ -4,8 +4,8 @@
 
 #include <cblas.h>
 
-#include "kernels/point_state.reference.hpp"
-#include "kernels/rigid_modes.reference.hpp"
+#include "kernels/reference/point_state.reference.hpp"
+#include "kernels/reference/rigid_modes.reference.hpp"
 
 namespace tentpole {
 namespace {

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "bench/lu/variants.hpp"
-#include "kernels/eliminate_strips.hpp"
+#include "kernels/coupling/eliminate_strips.hpp"
 
 namespace tentpole {
 namespace {

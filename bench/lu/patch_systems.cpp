@@ -7,7 +7,7 @@
 
 #include "bench/assembly/patch_system.hpp"
 #include "bench/sample_patches.hpp"
-#include "kernels/dense_patch_solve.hpp"
+#include "kernels/patch/dense_patch_solve.hpp"
 
 namespace tentpole {
 

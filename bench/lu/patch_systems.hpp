@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernels/patch_matrix.reference.hpp"
+#include "kernels/reference/patch_matrix.reference.hpp"
 #include "tests/kernels/tent_samples.hpp"
 
 namespace tentpole {
@@ -17,7 +17,7 @@ struct PatchSystems {
   DensePatch system;             ///< of patch 0
   std::vector<double> scale;     ///< [N], s_a = 1 / sqrt(K_aa)
   std::vector<double> scaled;    ///< [N][N], s_a K_ab s_b
-  std::vector<double> solution;  ///< [N] of the system, by the reference (kernels/dense_patch_solve.hpp)
+  std::vector<double> solution;  ///< [N] of the system, by the reference (kernels/patch/dense_patch_solve.hpp)
 };
 
 /// Errors of a solution c of `systems.system`.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/lu/patch_systems.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch/patch_solver.hpp"
 
 namespace tentpole {
 
@@ -35,7 +35,7 @@ class EigenSolve {
 };
 
 /// Ours without structure: right-looking in blocks of 192 pivots, each a partial elimination of everything that is left
-/// (kernels/eliminate.hpp: 4 x 8 tiles in registers). No pivoting: sym(K) is positive (docs/formulation.md).
+/// (kernels/coupling/eliminate.hpp: 4 x 8 tiles in registers). No pivoting: sym(K) is positive (docs/formulation.md).
 class DenseSolve {
  public:
   void solve(const PatchSystems& systems, std::vector<double>& solution);
@@ -44,9 +44,9 @@ class DenseSolve {
   std::vector<double> matrix_, packed_, right_;
 };
 
-/// Ours with structure: trace condensation, element LU and a coupling system (kernels/patch_solver.hpp), for the first
-/// num_patches patches, in threads over patches. Assembly and records belong to that solver's call and are not part of
-/// its time.
+/// Ours with structure: trace condensation, element LU and a coupling system (kernels/launch/patch_solver.hpp), for the
+/// first num_patches patches, in threads over patches. Assembly and records belong to that solver's call and are not
+/// part of its time.
 class CondensedSolve {
  public:
   CondensedSolve(PatchSystems& systems, int num_patches, int num_threads);

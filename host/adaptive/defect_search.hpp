@@ -7,7 +7,7 @@
 
 #include "host/adaptive/refinement.hpp"
 #include "host/fracture/strength_distribution.hpp"
-#include "kernels/orthonormal_basis.hpp"
+#include "kernels/element/orthonormal_basis.hpp"
 
 namespace tentpole {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "host/solver/solved_element.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

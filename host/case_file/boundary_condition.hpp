@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host/case_file/expression.hpp"
-#include "kernels/patch_batch.hpp"
+#include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {
 
@@ -48,10 +48,10 @@ class BoundaryCondition {
   const std::string& periodic_partner() const { return partner_; }
   const Ramp& ramp() const { return ramp_; }
 
-  /// Vector in global axes as the boundary block of kernels/patch_batch.hpp takes it: its part along the normal is the
-  /// prescribed normal velocity or traction, its tangential part the prescribed tangential one; both times the ramp.
-  /// Of an absorbing side: the traction of a given far field. The outward normal has length 1. Throws InputError if an
-  /// expression is not finite there.
+  /// Vector in global axes as the boundary block of kernels/element/patch_batch.hpp takes it: its part along the normal
+  /// is the prescribed normal velocity or traction, its tangential part the prescribed tangential one; both times the
+  /// ramp. Of an absorbing side: the traction of a given far field. The outward normal has length 1. Throws InputError
+  /// if an expression is not finite there.
   std::array<double, 3> value(const std::array<double, 3>& point, double time,
                               const std::array<double, 3>& outward_normal);
   /// Velocity of a given far field [m/s]; otherwise zero. Throws as value().

@@ -10,7 +10,7 @@
 #include "host/solver/memory_need.hpp"
 #include "host/solver/run.hpp"
 #include "host/solver/tent_estimate.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch/patch_solver.hpp"
 
 namespace tentpole {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

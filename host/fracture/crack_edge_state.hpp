@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "common/simplex.hpp"
-#include "kernels/damage_law.hpp"
+#include "kernels/fracture/damage_law.hpp"
 
 namespace tentpole {
 

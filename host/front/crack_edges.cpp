@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/output/binary_stream.hpp"
-#include "kernels/patch_batch.hpp"
+#include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {
 

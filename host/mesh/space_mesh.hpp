@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/simplex.hpp"
-#include "kernels/patch_batch.hpp"
+#include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/output/time_coverage.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

@@ -53,7 +53,7 @@ class History {
   /// The rows that an element with this time range covers.
   OutputRange rows(double time_min, double time_max) const;
 
-  /// Adds one element's energies on the slice of `row` (kernels/slice_energies.hpp).
+  /// Adds one element's energies on the slice of `row` (kernels/launch/slice_energies.hpp).
   void add_energy(int row, double kinetic, double strain);
 
   /// Spreads `flow` linearly over [time_min, time_max]: a row in between gets the share of the time range before it.

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "common/material.hpp"
-#include "kernels/orthonormal_basis.hpp"
+#include "kernels/element/orthonormal_basis.hpp"
 
 namespace tentpole {
 

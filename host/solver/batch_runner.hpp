@@ -6,7 +6,7 @@
 #include "host/solver/host_batch.hpp"
 #include "host/solver/patch_scratch.hpp"
 #include "host/solver/simulation.hpp"
-#include "kernels/transplant.hpp"
+#include "kernels/launch/transplant.hpp"
 
 namespace tentpole {
 
@@ -25,7 +25,8 @@ class BatchRunner {
   /// status instead: an adaptive run rejects them.
   void run(HostBatch& batch);
 
-  /// Gives elements of the store other simplices (kernels/transplant.hpp); `num_slots`: what the store must hold.
+  /// Gives elements of the store other simplices (kernels/launch/transplant.hpp); `num_slots`: what the store must
+  /// hold.
   void transplant(std::span<const TransplantRequest> requests, std::int32_t num_slots);
 
   std::int64_t num_fallbacks() const { return num_fallbacks_; }

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "host/solver/patch_place.hpp"
-#include "kernels/dense_patch_solve.hpp"
-#include "kernels/patch_matrix.reference.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch/patch_solver.hpp"
+#include "kernels/patch/dense_patch_solve.hpp"
+#include "kernels/reference/patch_matrix.reference.hpp"
 
 namespace tentpole {
 

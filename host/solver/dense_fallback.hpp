@@ -6,13 +6,13 @@
 #include "common/status.hpp"
 #include "host/solver/host_batch.hpp"
 #include "host/solver/simulation.hpp"
-#include "kernels/reference_tables.hpp"
+#include "kernels/element/reference_tables.hpp"
 
 namespace tentpole {
 
 /// Solves one patch of a batch again, on the host, by pivoted dense LU of the reference matrix
-/// (kernels/dense_patch_solve.hpp), and fills its records. For patches whose residual check failed; counted by the
-/// caller.
+/// (kernels/patch/dense_patch_solve.hpp), and fills its records. For patches whose residual check failed; counted by
+/// the caller.
 class DenseFallback {
  public:
   DenseFallback(HostBatch& batch, const PatchDescriptor& patch, const Simulation& simulation,

@@ -4,7 +4,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "kernels/patch_batch.hpp"
+#include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {
 

@@ -8,7 +8,7 @@
 #include "host/case_file/expression.hpp"
 #include "host/output/run_summary.hpp"
 #include "host/output/spacetime_element.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host/solver/patch_energies.hpp"
-#include "kernels/slice_energies.hpp"
+#include "kernels/launch/slice_energies.hpp"
 
 namespace tentpole {
 

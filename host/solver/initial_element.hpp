@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/solver/simulation.hpp"
-#include "kernels/patch_batch.hpp"
+#include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "device/device_buffer.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch/patch_solver.hpp"
 
 namespace tentpole {
 

@@ -6,16 +6,16 @@
 #include "host/solver/far_field.hpp"
 #include "host/solver/initial_state.hpp"
 #include "host/solver/simulation.hpp"
-#include "kernels/orthonormal_basis.hpp"
-#include "kernels/patch_batch.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/orthonormal_basis.hpp"
+#include "kernels/element/patch_batch.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 
-/// Turns the expressions of a case into the data blocks of kernels/patch_batch.hpp: scaled, projected on the modes of a
-/// facet or element by quadrature. Blocks are appended to `prescribed`; every function returns the offset of its block,
-/// or none where the data are identically zero and no block is needed. Strains of the initial displacement are
-/// differences of the expression (initial_state.hpp) with a step of 0.4 % of the cell. Keeps copies of the
+/// Turns the expressions of a case into the data blocks of kernels/element/patch_batch.hpp: scaled, projected on the
+/// modes of a facet or element by quadrature. Blocks are appended to `prescribed`; every function returns the offset of
+/// its block, or none where the data are identically zero and no block is needed. Strains of the initial displacement
+/// are differences of the expression (initial_state.hpp) with a step of 0.4 % of the cell. Keeps copies of the
 /// expressions, so it serves one thread. Throws InputError where an expression is not finite.
 class PrescribedData {
  public:

@@ -5,7 +5,7 @@
 #include "host/case_file/case.hpp"
 #include "host/mesh/space_mesh.hpp"
 #include "host/solver/scaling.hpp"
-#include "kernels/damage_law.hpp"
+#include "kernels/fracture/damage_law.hpp"
 
 namespace tentpole {
 

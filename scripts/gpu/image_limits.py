@@ -47,7 +47,7 @@ def _findings_of(function, kernel, limits):
     record = limits.record(function)
     if kernel.mode != "SPMD":
         yield (f"{name}: execution mode {kernel.mode}, limit SPMD. Put `parallel` directly inside `target teams`, with no statement "
-               "between them (kernels/launch.hpp).")
+               "between them (kernels/launch/launch.hpp).")
     if kernel.heap_calls:
         calls = ", ".join(f"{count} of {callee} in {function_of(caller)}" for (caller, callee), count in sorted(kernel.heap_calls.items()))
         yield (f"{name}: {sum(kernel.heap_calls.values())} calls of the heap, limit 0 ({calls}). Local variables belong to a lane "

@@ -6,7 +6,7 @@
 #include "bench/assembly/rungs.hpp"
 #include "bench/checked_answer.hpp"
 #include "bench/sample_patches.hpp"
-#include "kernels/patch_matrix.reference.hpp"
+#include "kernels/reference/patch_matrix.reference.hpp"
 
 namespace tentpole {
 namespace {

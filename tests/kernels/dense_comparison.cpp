@@ -6,7 +6,7 @@
 
 #include <lapacke.h>
 
-#include "kernels/dense_patch_solve.hpp"
+#include "kernels/patch/dense_patch_solve.hpp"
 
 namespace tentpole {
 namespace {

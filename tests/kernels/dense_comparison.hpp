@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/patch_matrix.reference.hpp"
+#include "kernels/reference/patch_matrix.reference.hpp"
 #include "tests/kernels/tent_samples.hpp"
 
 namespace tentpole {

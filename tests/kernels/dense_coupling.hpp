@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <lapacke.h>
 
-#include "kernels/amplitude_coupling.hpp"
-#include "kernels/independent_elements.hpp"
+#include "kernels/coupling/amplitude_coupling.hpp"
+#include "kernels/patch/independent_elements.hpp"
 
 namespace tentpole {
 

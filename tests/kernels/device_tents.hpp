@@ -1,7 +1,7 @@
 #pragma once
 
 #include "device/device_buffer.hpp"
-#include "kernels/patch_solver.hpp"
+#include "kernels/launch/patch_solver.hpp"
 #include "tests/kernels/tent_samples.hpp"
 
 namespace tentpole {

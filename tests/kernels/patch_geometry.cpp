@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "kernels/point_state.reference.hpp"
+#include "kernels/reference/point_state.reference.hpp"
 
 namespace tentpole {
 namespace {

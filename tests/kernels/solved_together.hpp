@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "kernels/patch_solver.hpp"
-#include "kernels/solve_patch.hpp"
+#include "kernels/launch/patch_solver.hpp"
+#include "kernels/patch/solve_patch.hpp"
 #include "tests/kernels/tent_samples.hpp"
 
 namespace tentpole {

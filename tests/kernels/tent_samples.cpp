@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/point_state.reference.hpp"
+#include "kernels/reference/point_state.reference.hpp"
 
 namespace tentpole {
 namespace {

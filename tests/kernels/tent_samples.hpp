@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "kernels/patch_batch.hpp"
+#include "kernels/element/patch_batch.hpp"
 #include "tests/kernels/patch_geometry.hpp"
 #include "tests/kernels/polynomial_field.hpp"
 #include "tests/kernels/tent_geometry.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/point_state.reference.hpp"
+#include "kernels/reference/point_state.reference.hpp"
 
 namespace tentpole {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/damage_law.hpp"
+#include "kernels/fracture/damage_law.hpp"
 #include "tests/host/adaptive/unit_bar.hpp"
 #include "tests/host/solver/solved_run.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

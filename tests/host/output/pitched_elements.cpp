@@ -5,7 +5,7 @@
 #include <random>
 
 #include "common/simplex.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 namespace {

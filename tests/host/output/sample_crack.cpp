@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 #include "tests/host/output/sample_fields.hpp"
 
 namespace tentpole {

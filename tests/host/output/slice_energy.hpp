@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/output/spacetime_element.hpp"
-#include "kernels/quadrature.hpp"
+#include "kernels/element/quadrature.hpp"
 
 namespace tentpole {
 
@@ -11,7 +11,7 @@ struct SliceEnergy {
   double strain = 0;   ///< int 1/2 sigma : E
 };
 
-/// The plain twin of kernels/slice_energies.hpp, in SI units, for the tests and samples of this folder.
+/// The plain twin of kernels/launch/slice_energies.hpp, in SI units, for the tests and samples of this folder.
 /// Energies on the part of the slice `time` [s] that the element covers (0 where it does not). Exact when
 /// `rule` = simplex_quadrature(D, 2 (degree - 1)); quads and wedges are cut into simplices.
 SliceEnergy slice_energy(const OrthonormalBasis& basis, const Quadrature& rule, const SpacetimeElement& element,
