@@ -8,6 +8,7 @@
 #include <omp.h>
 
 #include "host/mesh/printable.hpp"
+#include "host/solver/make_simulation.hpp"
 
 namespace tentpole {
 namespace {

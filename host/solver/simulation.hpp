@@ -34,12 +34,6 @@ struct Simulation {
   double scaled_time(double seconds) const { return seconds / scaling.time(); }
 };
 
-/// Generates or reads the mesh and matches its names with the case.
-/// Throws InputError where the mesh or the run would need more memory than there is, for boundaries without a
-/// condition, regions without a material and names that the mesh lacks (all at once), MeshError for a mesh that cannot
-/// be used.
-Simulation make_simulation(Case settings);
-
 /// The law of the case's cracks in scaled units; zero where there is no fracture.
 FractureLaw scaled_fracture_law(const Simulation& simulation);
 

@@ -11,6 +11,7 @@
 #include "host/solver/check_expressions.hpp"
 #include "host/solver/check_probes.hpp"
 #include "host/solver/check_workload.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/memory_need.hpp"
 #include "host/solver/tent_estimate.hpp"
 

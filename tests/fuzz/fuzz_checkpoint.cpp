@@ -12,6 +12,7 @@
 #include "host/case_file/input_error.hpp"
 #include "host/solver/checkpoint.hpp"
 #include "host/solver/fixed_march.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/run_books.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "host/output/machine_info.hpp"
 #include "host/solver/checkpoint_file.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/result_settings.hpp"
 #include "host/solver/run.hpp"
 #include "tests/device/tested_device.hpp"

@@ -9,6 +9,7 @@
 #include "common/exact_sum.hpp"
 #include "host/case_file/input_error.hpp"
 #include "host/solver/checkpoint_file.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/run.hpp"
 #include "tests/host/solver/sample_cases.hpp"
 #include "tests/test_folder.hpp"

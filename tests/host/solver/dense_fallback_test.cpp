@@ -9,6 +9,7 @@
 #include "common/status.hpp"
 #include "host/solver/batch_builder.hpp"
 #include "host/solver/batch_runner.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "tests/host/solver/sample_cases.hpp"
 #include "tests/test_folder.hpp"
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/solver/checkpoint_file.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/run.hpp"
 #include "tests/host/solver/sample_cases.hpp"
 #include "tests/test_folder.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/solver/simulation.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "tests/test_folder.hpp"
 
 // How the names of a mesh file and of a case meet.

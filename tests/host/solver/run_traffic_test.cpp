@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host/case_file/case.hpp"
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/run.hpp"
 #include "tests/device/target_observer.hpp"
 #include "tests/host/solver/sample_cases.hpp"

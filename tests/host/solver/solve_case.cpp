@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/run.hpp"
 
 namespace {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "host/solver/make_simulation.hpp"
 #include "host/solver/run.hpp"
 #include "tests/device/tested_device.hpp"
 #include "tests/temporary_folder.hpp"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/solver/make_simulation.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace tentpole {
