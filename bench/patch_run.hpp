@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host/solver/patch_scratch.hpp"
+#include "host/batch/patch_scratch.hpp"
 #include "tests/kernels/device_tents.hpp"
 
 namespace tentpole {

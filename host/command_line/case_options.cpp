@@ -8,7 +8,7 @@
 #include <omp.h>
 
 #include "host/mesh/printable.hpp"
-#include "host/solver/make_simulation.hpp"
+#include "host/run/make_simulation.hpp"
 
 namespace tentpole {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "device/device.hpp"
 #include "device/thread_choice.hpp"
-#include "host/solver/simulation.hpp"
+#include "host/problem/simulation.hpp"
 
 namespace tentpole {
 

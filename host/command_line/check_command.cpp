@@ -7,9 +7,9 @@
 #include "host/command_line/text_table.hpp"
 #include "host/fracture/strength_distribution.hpp"
 #include "host/mesh/printable.hpp"
-#include "host/solver/memory_need.hpp"
-#include "host/solver/run.hpp"
-#include "host/solver/tent_estimate.hpp"
+#include "host/run/memory_need.hpp"
+#include "host/run/run.hpp"
+#include "host/run/tent_estimate.hpp"
 #include "kernels/launch/patch_solver.hpp"
 
 namespace tentpole {

@@ -12,7 +12,7 @@
 #include "host/mesh/mesh_error.hpp"
 #include "host/mesh/printable.hpp"
 #include "host/output/machine_info.hpp"
-#include "host/solver/out_of_memory.hpp"
+#include "host/run/out_of_memory.hpp"
 
 namespace tentpole {
 namespace {

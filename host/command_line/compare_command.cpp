@@ -15,7 +15,7 @@
 #include "host/command_line/run_report.hpp"
 #include "host/command_line/text_table.hpp"
 #include "host/mesh/printable.hpp"
-#include "host/solver/run.hpp"
+#include "host/run/run.hpp"
 
 namespace tentpole {
 namespace {

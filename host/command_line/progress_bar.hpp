@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "host/solver/run.hpp"
+#include "host/run/run.hpp"
 
 namespace tentpole {
 

@@ -8,7 +8,7 @@
 #include "host/command_line/result_folder.hpp"
 #include "host/command_line/run_report.hpp"
 #include "host/mesh/printable.hpp"
-#include "host/solver/run.hpp"
+#include "host/run/run.hpp"
 
 namespace tentpole {
 namespace {

@@ -6,7 +6,7 @@
 #include "device/device.hpp"
 #include "device/thread_choice.hpp"
 #include "host/output/run_summary.hpp"
-#include "host/solver/simulation.hpp"
+#include "host/problem/simulation.hpp"
 
 namespace tentpole {
 

@@ -8,12 +8,12 @@
 #include <unistd.h>
 
 #include "host/mesh/mesh_error.hpp"
-#include "host/solver/check_expressions.hpp"
-#include "host/solver/check_probes.hpp"
-#include "host/solver/check_workload.hpp"
-#include "host/solver/make_simulation.hpp"
-#include "host/solver/memory_need.hpp"
-#include "host/solver/tent_estimate.hpp"
+#include "host/problem/check_expressions.hpp"
+#include "host/run/check_probes.hpp"
+#include "host/run/check_workload.hpp"
+#include "host/run/make_simulation.hpp"
+#include "host/run/memory_need.hpp"
+#include "host/run/tent_estimate.hpp"
 
 // The way of a case file, from its bytes to a checked case with the mesh of its box and the first tents on it. Whatever
 // the bytes are, they make a case that can be run, an InputError or a MeshError; anything else ends the program.

@@ -7,13 +7,13 @@
 #include <sstream>
 #include <string>
 
-#include "host/adaptive/adaptive_march.hpp"
+#include "host/books/run_books.hpp"
 #include "host/case_file/case.hpp"
 #include "host/case_file/input_error.hpp"
-#include "host/solver/checkpoint.hpp"
-#include "host/solver/fixed_march.hpp"
-#include "host/solver/make_simulation.hpp"
-#include "host/solver/run_books.hpp"
+#include "host/march/adaptive_march.hpp"
+#include "host/march/fixed_march.hpp"
+#include "host/run/checkpoint.hpp"
+#include "host/run/make_simulation.hpp"
 #include "tests/temporary_folder.hpp"
 
 // The way of a checkpoint into a run that has not begun. The first byte says which section the other bytes stand for;
