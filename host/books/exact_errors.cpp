@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/binary_stream.hpp"
 #include "common/simplex.hpp"
-#include "host/output/binary_stream.hpp"
 
 namespace tentpole {
 namespace {

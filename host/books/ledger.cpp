@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "common/binary_stream.hpp"
 #include "host/batch/energy_balance.hpp"
 #include "host/field/solved_element.hpp"
-#include "host/output/binary_stream.hpp"
 
 namespace tentpole {
 namespace {

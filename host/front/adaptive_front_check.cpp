@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/binary_stream.hpp"
 #include "host/front/adaptive_front.hpp"
 #include "host/front/progress_rule.hpp"
 #include "host/mesh/printed_number.hpp"
-#include "host/output/binary_stream.hpp"
 
 namespace tentpole {
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "host/output/binary_stream.hpp"
+#include "common/binary_stream.hpp"
 #include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {

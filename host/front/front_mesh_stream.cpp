@@ -3,8 +3,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "common/binary_stream.hpp"
 #include "host/front/front_mesh.hpp"
-#include "host/output/binary_stream.hpp"
 
 namespace tentpole {
 

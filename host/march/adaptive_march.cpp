@@ -5,12 +5,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/binary_stream.hpp"
 #include "host/march/element_rows.hpp"
 #include "host/march/front_report.hpp"
 #include "host/march/prepare_cracks.hpp"
 #include "host/march/reference_energy.hpp"
 #include "host/march/require_sound_state.hpp"
-#include "host/output/binary_stream.hpp"
 
 namespace tentpole {
 namespace {

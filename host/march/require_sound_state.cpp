@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/binary_stream.hpp"
 #include "host/march/judge_patch.hpp"
-#include "host/output/binary_stream.hpp"
 
 namespace tentpole {
 namespace {

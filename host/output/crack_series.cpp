@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "host/output/binary_stream.hpp"
+#include "common/binary_stream.hpp"
 #include "host/output/crack_grid.hpp"
 #include "host/output/output_times.hpp"
 #include "host/output/series_writer.hpp"

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "host/output/binary_stream.hpp"
+#include "common/binary_stream.hpp"
 
 namespace tentpole {
 

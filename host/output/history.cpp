@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/binary_stream.hpp"
 #include "common/exact_sum.hpp"
-#include "host/output/binary_stream.hpp"
 #include "host/output/csv_file.hpp"
 #include "host/output/output_times.hpp"
 

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "common/binary_stream.hpp"
 #include "common/simplex.hpp"
-#include "host/output/binary_stream.hpp"
 #include "host/output/output_times.hpp"
 
 namespace tentpole {

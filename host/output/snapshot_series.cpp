@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "host/output/binary_stream.hpp"
+#include "common/binary_stream.hpp"
 #include "host/output/output_times.hpp"
 #include "host/output/series_writer.hpp"
 

@@ -9,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "host/output/binary_stream.hpp"
+#include "common/binary_stream.hpp"
 #include "host/output/file_identity.hpp"
 #include "host/run/result_settings.hpp"
 

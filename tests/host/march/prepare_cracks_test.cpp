@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "common/binary_stream.hpp"
 #include "host/case_file/input_error.hpp"
 #include "host/march/adaptive_march.hpp"
 #include "host/mesh/simplex_geometry.hpp"
-#include "host/output/binary_stream.hpp"
 #include "tests/host/march/march_books.hpp"
 #include "tests/host/run/case_text.hpp"
 #include "tests/host/run/solved_run.hpp"
