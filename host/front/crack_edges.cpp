@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/binary_stream.hpp"
-#include "kernels/element/patch_batch.hpp"
+#include "common/index.hpp"
 
 namespace tentpole {
 

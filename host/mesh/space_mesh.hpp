@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/index.hpp"
 #include "common/simplex.hpp"
-#include "kernels/element/patch_batch.hpp"
 
 namespace tentpole {
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "common/index.hpp"
 #include "common/material.hpp"
 #include "common/simplex.hpp"
 #include "kernels/fracture/damage_law.hpp"
@@ -10,9 +11,6 @@ namespace tentpole {
 
 /// What is prescribed on a boundary facet, separately for the normal and the tangential components.
 enum class BoundaryKind : std::uint8_t { traction = 0, velocity = 1, absorbing = 2 };
-
-/// Index of an absent slot, neighbour or data block.
-inline constexpr std::int32_t none = -1;
 
 /// What a facet of an element is to its patch.
 enum class FacetKind : std::uint8_t {

@@ -17,6 +17,9 @@ MAY_INCLUDE = {
     "bench": {"common", "kernels", "device", "host", "bench", "tests"},
     "tests": {"common", "kernels", "device", "host", "bench", "tests"},
 }
+# The rooms of the host in their order: a room includes itself and those before it.
+HOST_ROOMS = ("mesh", "case_file", "problem", "fracture", "front", "output", "batch", "field", "books", "march", "run", "many_core",
+              "command_line")
 # Libraries whose headers cost seconds in every file that sees them: only a .cpp may include them.
 HEAVY_HEADER = re.compile(r"(toml\+\+|toml|CLI|nlohmann|Eigen|muParser\w*|hdf5\w*|H5\w*|vtk\w*)[./]")
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
@@ -73,6 +76,42 @@ def includes(root):
     return found
 
 
+def rooms(root):
+    """Within host/ includes point one way, too: up in the table HOST_ROOMS. Every file of the host is in a room."""
+    found = []
+    for path in files(root, {".hpp", ".cpp"}, {"host"}):
+        name, room = path.relative_to(root), path.relative_to(root).parts[1]
+        if room not in HOST_ROOMS:
+            found.append(f"{name}:1: {room} is no room of the host; the table HOST_ROOMS of tests/architecture/source_rules.py has them")
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = re.match(r'\s*#\s*include\s*"host/(\w+)/', line)
+            if match and match[1] not in HOST_ROOMS[:HOST_ROOMS.index(room) + 1]:
+                found.append(f"{name}:{number}: host/{room} must not include host/{match[1]}, which comes after it")
+    return found
+
+
+def circles(root):
+    """No headers include each other in a circle."""
+    graph = {}
+    for path in files(root, {".hpp"}, MAY_INCLUDE):
+        matches = map(INCLUDE.match, path.read_text(encoding="utf-8").splitlines())
+        graph[str(path.relative_to(root))] = [match[2] for match in matches if match and match[1] == '"']
+    found, done = [], set()
+
+    def visit(name, way):
+        if name in way:
+            found.append(f"{name}:1: includes itself by way of {', '.join(way[way.index(name) + 1:]) or 'nothing else'}")
+        elif name not in done:
+            for target in graph.get(name, []):
+                visit(target, [*way, name])
+            done.add(name)
+
+    for name in graph:
+        visit(name, [])
+    return found
+
+
 def listed(root):
     """Every .cpp is named in the CMakeLists.txt of its folder or of one above: an unlisted test never runs."""
     found = []
@@ -111,7 +150,7 @@ def unfinished(root):
     return matching_lines(root, files(root, TEXT_SUFFIXES), UNFINISHED, message)
 
 
-RULES = {rule.__name__: rule for rule in (includes, listed, schedule, paths, temporary, unfinished)}
+RULES = {rule.__name__: rule for rule in (includes, rooms, circles, listed, schedule, paths, temporary, unfinished)}
 
 
 def main(root, *names):

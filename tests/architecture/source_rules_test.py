@@ -30,6 +30,16 @@ class SourceRules(unittest.TestCase):
         tree = {"kernels/a.hpp": '#include "device/b.hpp"\n', "device/b.hpp": '#  include <kernels/a.hpp>\n'}
         self.assertEqual(self.findings("includes", tree), ["device/b.hpp:1", "kernels/a.hpp:1"])
 
+    def test_rooms_of_the_host_include_those_before_them(self):
+        tree = {"host/mesh/a.hpp": '#include "host/front/b.hpp"\n', "host/front/b.hpp": '#include "host/mesh/c.hpp"\n',
+                "host/march/c.cpp": '#include "host/march/d.hpp"\n#include "host/run/e.hpp"\n', "host/attic/f.cpp": ""}
+        self.assertEqual(self.findings("rooms", tree), ["host/attic/f.cpp:1", "host/march/c.cpp:2", "host/mesh/a.hpp:1"])
+
+    def test_headers_do_not_include_each_other_in_a_circle(self):
+        tree = {"host/a.hpp": '#include "host/b.hpp"\n', "host/b.hpp": '#include "host/c.hpp"\n#include "host/d.hpp"\n',
+                "host/c.hpp": '#include "host/a.hpp"\n', "host/d.hpp": "", "host/e.cpp": '#include "host/a.hpp"\n'}
+        self.assertEqual(self.findings("circles", tree), ["host/a.hpp:1"])
+
     def test_nobody_includes_tests(self):
         tree = {"tests/a.hpp": "", "host/b.cpp": '#include "tests/a.hpp"\n', "bench/c.cpp": '#include "tests/a.hpp"\n'}
         self.assertEqual(self.findings("includes", tree), ["host/b.cpp:1"])
