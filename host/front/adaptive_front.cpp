@@ -130,6 +130,13 @@ bool AdaptiveFront::is_unchanged(const Footprint& footprint) const {
   });
 }
 
+std::vector<std::int32_t> AdaptiveFront::commit(const CellExchange& exchange) {
+  if (!is_unchanged(exchange.below)) throw std::logic_error("an operation is committed to cells that have changed");
+  std::vector<std::int32_t> removed;
+  for (const FootprintCell& entry : exchange.below) removed.push_back(entry.cell);
+  return replace(removed, exchange.above, exchange.boundary);
+}
+
 std::int32_t AdaptiveFront::mark_crack(int a, int b) {
   const bool is_vertex = mesh_.dimension() == 1 && a == b && mesh_.star(a).size() == 2;
   const bool is_edge = mesh_.dimension() == 2 && a != b && mesh_.cells_with(a, b).size == 2;

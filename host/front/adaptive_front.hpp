@@ -70,14 +70,15 @@ class AdaptiveFront {
   /// Removal of a vertex that is no corner and on no crack: the triangulation of the hole (of up to 8 vertices) with
   /// the best worst shape among those that obey `limits`, causality and progress and whose planes pass above the vertex
   /// by 1e-3 longest edge / c. An interface vertex keeps the interface: each side is triangulated on its own.
-  std::optional<DeletionPlan> plan_deletion(int vertex, const DeletionLimits& limits = {}) const;
-  std::vector<std::int32_t> commit_deletion(const DeletionPlan& plan);  ///< ids of the new cells in the plan's order
+  /// Elements are (vertex, C), one per new cell C, in their order.
+  std::optional<CellExchange> plan_deletion(int vertex, const DeletionLimits& limits = {}) const;
 
   /// Flip of an inner edge that is no interface and no crack, where it improves the smallest angle of its two cells and
   /// the new cells are admissible and pass above the old edge by 1e-3 longest edge / c.
   std::optional<FlipPlan> plan_flip(int a, int b) const;
-  std::array<std::int32_t, 2> commit_flip(const FlipPlan& plan);
 
+  /// Ids of the new cells in their order. Throws std::logic_error where a cell below has changed since.
+  std::vector<std::int32_t> commit(const CellExchange& exchange);
   bool is_unchanged(const Footprint& footprint) const;
 
   // --- refinement

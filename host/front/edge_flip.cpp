@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "host/front/adaptive_front.hpp"
 #include "host/front/progress_rule.hpp"
@@ -35,7 +34,9 @@ std::optional<FlipPlan> AdaptiveFront::plan_flip(int a, int b) const {
   std::array<std::int32_t, 2> diagonal{opposite_vertex(first, a, b), opposite_vertex(second, a, b)};
   insertion_sort(diagonal, 2);
   const double slope_limit = slope_limit_[first.region];
-  FlipPlan plan{edge, diagonal, footprint_of(old.cell), {}, 0};
+  SpacetimeSimplex element{{edge[0], edge[1], diagonal[0], diagonal[1]}, first.region};
+  insertion_sort(element.vertex, 4);
+  FlipPlan plan{{footprint_of(old.cell), {}, {element}, {}}, diagonal, 0};
   double new_sine = 1;
   std::array<double, 2> orientation{};
   for (int side = 0; side < 2; ++side) {
@@ -48,8 +49,8 @@ std::optional<FlipPlan> AdaptiveFront::plan_flip(int a, int b) const {
     new_sine = std::min(new_sine, smallest_angle_sine(cell));
     FrontVertices corners{diagonal[0], diagonal[1], edge[side]};
     insertion_sort(corners, 3);
-    plan.cells[side] = {corners, first.region, std::max(first.generation, second.generation),
-                        mesh_.longest_edge_corner(corners)};
+    plan.exchange.above.push_back(
+        {corners, first.region, std::max(first.generation, second.generation), mesh_.longest_edge_corner(corners)});
   }
   const bool is_convex = orientation[0] * orientation[1] < 0;
   const double old_sine =
@@ -57,13 +58,6 @@ std::optional<FlipPlan> AdaptiveFront::plan_flip(int a, int b) const {
   plan.angle_gain = new_sine - old_sine;
   if (!is_convex || plan.angle_gain < smallest_gain) return std::nullopt;
   return plan;
-}
-
-std::array<std::int32_t, 2> AdaptiveFront::commit_flip(const FlipPlan& plan) {
-  if (!is_unchanged(plan.footprint)) throw std::logic_error("an edge flip is committed to a front that has changed");
-  const std::array<std::int32_t, 2> old{plan.footprint[0].cell, plan.footprint[1].cell};
-  const std::vector<std::int32_t> ids = replace(old, plan.cells);
-  return {ids[0], ids[1]};
 }
 
 }  // namespace tentpole

@@ -29,21 +29,26 @@ struct DeletionLimits {
   double longest_edge = std::numeric_limits<double>::infinity();  ///< of every new cell
 };
 
-/// Vertex deletion: a cone of one spacetime simplex (vertex, C) per new cell C. The cells of the footprint are its
-/// inflow facets, the new cells its outflow facets.
-struct DeletionPlan {
-  std::int32_t vertex;
-  Footprint footprint;                     ///< star of the vertex, ascending cell
-  std::vector<NewFrontCell> cells;         ///< corners ascending
-  std::vector<NewBoundaryFacet> boundary;  ///< the merged one, for a vertex on the boundary
+/// A spacetime element between vertices of the front, each at its time: D + 2 of them, ascending, then `none`.
+struct SpacetimeSimplex {
+  std::array<std::int32_t, FrontSimplex::max_corners + 1> vertex;
+  std::int32_t region;
+};
+
+/// An operation that replaces cells of the front: spacetime simplices fill the space between those that end and those
+/// that begin. A facet of an element is on a cell below (inflow), on a cell above (outflow), shared with another
+/// element, or on the boundary.
+struct CellExchange {
+  Footprint below;                  ///< ascending cell
+  std::vector<NewFrontCell> above;  ///< corners ascending
+  std::vector<SpacetimeSimplex> between;
+  std::vector<NewBoundaryFacet> boundary;  ///< facets that take the place of several
 };
 
 /// Edge flip: one tetrahedron with the two old cells below and the two new ones above.
 struct FlipPlan {
-  std::array<std::int32_t, 2> edge;      ///< ascending
-  std::array<std::int32_t, 2> diagonal;  ///< the edge that takes its place, ascending
-  Footprint footprint;                   ///< ascending cell
-  std::array<NewFrontCell, 2> cells;     ///< with edge[0], with edge[1]; corners ascending
+  CellExchange exchange;
+  std::array<std::int32_t, 2> diagonal;  ///< the edge that takes the place of the old one, ascending
   double angle_gain;                     ///< rise of the smallest angle's sine
 };
 

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "host/front/adaptive_front.hpp"
 #include "host/front/polygon_triangulation.hpp"
@@ -42,6 +41,14 @@ std::vector<RingPart> hole_of(const FrontMesh& mesh, int vertex) {
   return {{mesh.neighbors(vertex), mesh.cell(mesh.star(vertex)[0].cell).region}};
 }
 
+SpacetimeSimplex cone(std::int32_t vertex, const FrontVertices& cell, int num_corners, std::int32_t region) {
+  SpacetimeSimplex element{{none, none, none, none}, region};
+  std::copy_n(cell.begin(), num_corners, element.vertex.begin());
+  element.vertex[num_corners] = vertex;
+  insertion_sort(element.vertex, num_corners + 1);
+  return element;
+}
+
 }  // namespace
 
 double AdaptiveFront::deletion_cost(int vertex, int region, const FrontVertices& corners,
@@ -65,21 +72,20 @@ bool AdaptiveFront::merged_line_is_admissible(int vertex, std::int32_t a, std::i
   return offset <= vertical_tolerance * clearance;
 }
 
-std::optional<DeletionPlan> AdaptiveFront::plan_deletion(int vertex, const DeletionLimits& limits) const {
+std::optional<CellExchange> AdaptiveFront::plan_deletion(int vertex, const DeletionLimits& limits) const {
   if (mesh_.kind(vertex) == VertexKind::corner || !cracks_.at(vertex).empty()) return std::nullopt;
   const std::vector<RingPart> hole = hole_of(mesh_, vertex);
   std::size_t ring_size = 0;
   for (const RingPart& part : hole) ring_size += part.vertices.size();
   if (ring_size > max_ring_size) return std::nullopt;
-  DeletionPlan plan{vertex, footprint_of(cells_round(mesh_, vertex)), {}, {}};
+  CellExchange plan{.below = footprint_of(cells_round(mesh_, vertex)), .above = {}, .between = {}, .boundary = {}};
   if (const auto ends = line_neighbors(mesh_, vertex)) {
     if (!merged_line_is_admissible(vertex, (*ends)[0], (*ends)[1])) return std::nullopt;
     if (const std::int32_t boundary = line_boundary(mesh_, vertex); boundary != none)
       plan.boundary.push_back({*ends, boundary});
   }
   int generation = std::numeric_limits<int>::max();
-  for (const FootprintCell& entry : plan.footprint)
-    generation = std::min(generation, mesh_.cell(entry.cell).generation);
+  for (const FootprintCell& entry : plan.below) generation = std::min(generation, mesh_.cell(entry.cell).generation);
   for (const RingPart& part : hole) {
     const auto corners_of = [&](const PolygonTriangle& triangle) {
       return FrontVertices{part.vertices[triangle[0]], part.vertices[triangle[1]], part.vertices[triangle[2]]};
@@ -98,16 +104,11 @@ std::optional<DeletionPlan> AdaptiveFront::plan_deletion(int vertex, const Delet
     if (cells.empty()) return std::nullopt;
     for (FrontVertices& corners : cells) {
       insertion_sort(corners, mesh_.num_corners());
-      plan.cells.push_back({corners, part.region, std::max(generation - 1, 0), mesh_.longest_edge_corner(corners)});
+      plan.above.push_back({corners, part.region, std::max(generation - 1, 0), mesh_.longest_edge_corner(corners)});
+      plan.between.push_back(cone(vertex, corners, mesh_.num_corners(), part.region));
     }
   }
   return plan;
-}
-
-std::vector<std::int32_t> AdaptiveFront::commit_deletion(const DeletionPlan& plan) {
-  if (!is_unchanged(plan.footprint))
-    throw std::logic_error("a vertex deletion is committed to a front that has changed");
-  return replace(cells_round(mesh_, plan.vertex), plan.cells, plan.boundary);
 }
 
 }  // namespace tentpole

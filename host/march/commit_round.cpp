@@ -43,16 +43,18 @@ class RoundCommit {
     VertexMemory& memory = state_.memory[patch.plan.vertex];
     memory = {};
     memory.dissipation = patch.verdict.dissipation;
-    switch (patch.plan.operation) {
-      case PatchOperation::deletion:
-        accept_deletion(patch);
-        break;
-      case PatchOperation::flip:
-        accept_flip(patch);
-        break;
-      default:
-        accept_tent(patch);
-    }
+    count(patch.plan.operation);
+    if (patch.plan.is_tent())
+      accept_tent(patch);
+    else
+      accept_exchange(patch);
+  }
+
+  void count(PatchOperation operation) {
+    AdaptiveCounts& counts = state_.counts;
+    if (operation == PatchOperation::inclined_tent) ++counts.inclined;
+    if (operation == PatchOperation::deletion) ++counts.deletions;
+    if (operation == PatchOperation::flip) ++counts.flips;
   }
 
   /// The element below a cell changes.
@@ -73,16 +75,14 @@ class RoundCommit {
     const PatchPlan& plan = patch.plan;
     const PatchDescriptor& descriptor = round_.descriptor(patch);
     const HostBatch& batch = round_.batch_of(patch);
-    if (plan.operation == PatchOperation::inclined_tent) {
+    if (plan.operation == PatchOperation::inclined_tent)
       state_.front.raise_inclined(plan.vertex, plan.top);
-      ++state_.counts.inclined;
-    } else {
+    else
       state_.front.raise(plan.vertex, plan.top.time);
-    }
-    release_sources(plan.footprint);
+    release_sources(plan.below());
     for (int e = 0; e < descriptor.num_elements; ++e) {
       const ElementDescriptor& element = batch.elements[descriptor.first_element + e];
-      const std::int32_t cell = plan.footprint[e].cell;
+      const std::int32_t cell = plan.below()[e].cell;
       set_source(cell, element.result_slot, facet_table(element, mesh().dimension(), element.pole));
       note_new_cell(cell, batch.records[descriptor.first_element + e]);
     }
@@ -101,50 +101,36 @@ class RoundCommit {
     state_.crack_mode[edge] = static_cast<CrackMode>(most);
   }
 
-  /// Corner of the general element over a cell that is not on the cell: the code of its outflow facet.
-  static std::int32_t outflow_facet(const ElementDescriptor& element, std::span<const std::int32_t> cell,
-                                    std::span<const std::int32_t> vertices) {
-    for (std::size_t corner = 0; corner < vertices.size(); ++corner)
-      if (std::ranges::find(cell, vertices[corner]) == cell.end() && element.facet_kind[corner] == FacetKind::outflow)
-        return static_cast<std::int32_t>(corner);
-    return none;
-  }
-
-  void accept_deletion(const RoundPatch& patch) {
-    const PatchDescriptor& descriptor = round_.descriptor(patch);
-    const HostBatch& batch = round_.batch_of(patch);
-    release_sources(patch.plan.footprint);
-    const std::vector<std::int32_t> cells = state_.front.commit_deletion(*patch.plan.deletion);
-    state_.follow_front();
-    ++state_.counts.deletions;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const ElementDescriptor& element = batch.elements[descriptor.first_element + i];
-      const auto corners = mesh().vertices(cells[i]);
-      std::vector<std::int32_t> vertices(corners.begin(), corners.end());
-      vertices.push_back(patch.plan.vertex);
-      std::sort(vertices.begin(), vertices.end());
-      set_source(cells[i], element.result_slot, outflow_facet(element, corners, vertices));
-      note_new_cell(cells[i], batch.records[descriptor.first_element + i]);
-    }
-  }
-
-  void accept_flip(const RoundPatch& patch) {
-    const FlipPlan& plan = *patch.plan.flip;
+  /// Each new cell lies on the outflow facet of the element that has all its vertices.
+  void accept_exchange(const RoundPatch& patch) {
+    const CellExchange& exchange = patch.plan.exchange;
     const int first = round_.descriptor(patch).first_element;
     const HostBatch& batch = round_.batch_of(patch);
-    const ElementDescriptor& element = batch.elements[first];
-    release_sources(patch.plan.footprint);
-    const std::array<std::int32_t, 2> cells = state_.front.commit_flip(plan);
+    release_sources(exchange.below);
+    const std::vector<std::int32_t> cells = state_.front.commit(exchange);
     state_.follow_front();
-    ++state_.counts.flips;
-    std::vector<std::int32_t> vertices(plan.edge.begin(), plan.edge.end());
-    vertices.insert(vertices.end(), plan.diagonal.begin(), plan.diagonal.end());
-    std::sort(vertices.begin(), vertices.end());
-    state_.books.store.share(element.result_slot);
+    std::vector<int> num_cells(exchange.between.size());
     for (const std::int32_t cell : cells) {
-      set_source(cell, element.result_slot, outflow_facet(element, mesh().vertices(cell), vertices));
-      note_new_cell(cell, batch.records[first]);
+      const auto [element, facet] = element_below(exchange, mesh().vertices(cell));
+      const std::int32_t slot = batch.elements[first + element].result_slot;
+      if (num_cells[element]++ > 0) state_.books.store.share(slot);
+      set_source(cell, slot, facet);
+      note_new_cell(cell, batch.records[first + element]);
     }
+  }
+
+  struct ElementFacet {
+    std::size_t element;
+    std::int32_t facet;  ///< number of the corner that is not on it
+  };
+  static ElementFacet element_below(const CellExchange& exchange, std::span<const std::int32_t> cell) {
+    for (std::size_t element = 0; element < exchange.between.size(); ++element) {
+      const auto& vertices = exchange.between[element].vertex;
+      if (!std::ranges::includes(std::span(vertices).first(cell.size() + 1), cell)) continue;
+      const auto apart = std::ranges::mismatch(vertices, cell).in1;
+      return {element, static_cast<std::int32_t>(apart - vertices.begin())};
+    }
+    throw std::logic_error("a new cell of the front lies on no element of its patch");
   }
 
   void want_split(const FootprintCell& cell) {
@@ -160,7 +146,7 @@ class RoundCommit {
   void reject_or_accept(const RoundPatch& patch) {
     const PatchVerdict& verdict = patch.verdict;
     for (const FootprintCell& cell : verdict.refine) want_split(cell);
-    const bool changed = !state_.front.is_unchanged(patch.plan.footprint);
+    const bool changed = !state_.front.is_unchanged(patch.plan.below());
     const bool is_tent = patch.plan.operation == PatchOperation::tent;
     bool shorten = verdict.shorten;
     if (!changed && !shorten && is_tent) {

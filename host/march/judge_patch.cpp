@@ -10,16 +10,12 @@ namespace {
 /// Part of max_damage_step by which damage may grow in cells that are larger than those at cracks should be.
 constexpr double coarse_damage_step = 0.05;
 
-bool is_tent(const PatchPlan& plan) {
-  return plan.operation == PatchOperation::tent || plan.operation == PatchOperation::inclined_tent;
-}
-
 /// A patch that the kernel could not solve: smaller cells where there may be, then lower poles.
 void retry_failed(const AdaptiveState& state, const PatchPlan& plan, PatchVerdict& verdict) {
   verdict.is_accepted = verdict.is_solved = false;
-  if (!is_tent(plan)) return;
+  if (!plan.is_tent()) return;
   if (state.has_refinement())
-    for (const FootprintCell& cell : plan.footprint)
+    for (const FootprintCell& cell : plan.below())
       if (longest_edge(state.front.mesh().simplex(cell.cell)) > state.limits.min_size) verdict.refine.push_back(cell);
   verdict.shorten = verdict.refine.empty() && state.memory[plan.vertex].halvings < max_halvings;
 }
@@ -31,16 +27,16 @@ void judge_dissipation(const AdaptiveState& state, const PatchPlan& plan, const 
     const double dissipation = batch.records[patch.first_element + e].dissipation;
     largest = std::max(largest, dissipation);
     if (!(dissipation > state.limits.tolerance)) continue;
-    if (!is_tent(plan)) {
+    if (!plan.is_tent()) {
       verdict.is_accepted = false;
-    } else if (longest_edge(state.front.mesh().simplex(plan.footprint[e].cell)) > state.limits.min_size) {
+    } else if (longest_edge(state.front.mesh().simplex(plan.below()[e].cell)) > state.limits.min_size) {
       verdict.is_accepted = false;
-      verdict.refine.push_back(plan.footprint[e]);
+      verdict.refine.push_back(plan.below()[e]);
     } else {
       ++verdict.min_size_hits;
     }
   }
-  if (is_tent(plan)) verdict.dissipation = static_cast<float>(largest / state.limits.tolerance);
+  if (plan.is_tent()) verdict.dissipation = static_cast<float>(largest / state.limits.tolerance);
 }
 
 /// Damage that grows needs cells of crack_size and steps of max_damage_step. A surface at rest may have had larger
@@ -56,7 +52,7 @@ void judge_damage(const AdaptiveState& state, const PatchPlan& plan, const HostB
     verdict.shorten = true;
   }
   if (!state.has_refinement() || !(change > coarse_damage_step * limit)) return;
-  for (const FootprintCell& cell : plan.footprint)
+  for (const FootprintCell& cell : plan.below())
     if (is_too_large_for_crack(state, cell.cell)) verdict.refine.push_back(cell);
   if (!verdict.refine.empty()) verdict.is_accepted = false;
 }
@@ -70,7 +66,7 @@ PatchVerdict judge_patch(const AdaptiveState& state, const PatchPlan& plan, cons
   const Simulation& simulation = state.books.simulation;
   const bool is_solved = static_cast<Status>(batch.records[patch.first_element].status) == Status::ok;
   // A deletion or flip can be left undone; a tent whose energies are wrong would be wrong again.
-  if (!is_solved || (!is_tent(plan) && !is_balanced(batch, patch_index, energy_scale, simulation))) {
+  if (!is_solved || (!plan.is_tent() && !is_balanced(batch, patch_index, energy_scale, simulation))) {
     retry_failed(state, plan, verdict);
     return verdict;
   }

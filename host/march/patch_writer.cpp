@@ -29,17 +29,12 @@ ElementDescriptor empty_element() {
   return element;
 }
 
-/// Vertices of a general element, ascending, of a new cell and one vertex more.
-std::vector<std::int32_t> element_vertices(const FrontVertices& cell, int num_corners, std::int32_t vertex) {
-  std::vector<std::int32_t> vertices(cell.begin(), cell.begin() + num_corners);
-  vertices.push_back(vertex);
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
-}
+/// Facet of an element of an exchange: its vertices but one, ascending.
+using FacetVertices = std::array<std::int32_t, FrontSimplex::max_corners>;
 
-/// The same without one of them: a facet.
-std::vector<std::int32_t> without(std::vector<std::int32_t> vertices, int corner) {
-  vertices.erase(vertices.begin() + corner);
+FacetVertices facet_vertices(const SpacetimeSimplex& element, int facet) {
+  FacetVertices vertices{};
+  std::remove_copy(element.vertex.begin(), element.vertex.end(), vertices.begin(), element.vertex[facet]);
   return vertices;
 }
 
@@ -48,16 +43,10 @@ std::vector<std::int32_t> without(std::vector<std::int32_t> vertices, int corner
 void PatchWriter::write(const PatchPlan& plan, HostBatch& batch) {
   const int first_element = static_cast<int>(batch.elements.size());
   const int first_fracture = static_cast<int>(batch.fractures.size());
-  switch (plan.operation) {
-    case PatchOperation::deletion:
-      write_cone(*plan.deletion, batch);
-      break;
-    case PatchOperation::flip:
-      write_flip(*plan.flip, batch);
-      break;
-    default:
-      write_tent(plan, batch);
-  }
+  if (plan.is_tent())
+    write_tent(plan, batch);
+  else
+    write_exchange(plan.exchange, batch);
   PatchDescriptor patch;
   patch.first_element = first_element;
   patch.num_elements = static_cast<std::int32_t>(batch.elements.size()) - first_element;
@@ -102,7 +91,7 @@ void PatchWriter::write_boundary(HostBatch& batch, ElementDescriptor& element, i
 void PatchWriter::write_tent(const PatchPlan& plan, HostBatch& batch) {
   const FrontMesh& mesh = state_.front.mesh();
   const int dimension = mesh.dimension();
-  for (const FootprintCell& below : plan.footprint) {
+  for (const FootprintCell& below : plan.below()) {
     ElementDescriptor element = empty_element();
     const auto vertices = mesh.vertices(below.cell);
     for (int corner = 0; corner <= dimension; ++corner) {
@@ -122,8 +111,8 @@ void PatchWriter::write_tent_facets(const PatchPlan& plan, HostBatch& batch, std
   const FrontCell& front_cell = mesh.cell(cell);
   const int dimension = mesh.dimension();
   const auto index_of = [&](std::int32_t other) {
-    const auto place = std::ranges::find(plan.footprint, other, &FootprintCell::cell);
-    return static_cast<std::int32_t>(place - plan.footprint.begin());
+    const auto place = std::ranges::find(plan.below(), other, &FootprintCell::cell);
+    return static_cast<std::int32_t>(place - plan.below().begin());
   };
   const std::int32_t own_index = index_of(cell), element_index = static_cast<std::int32_t>(batch.elements.size());
   for (int facet = 0; facet <= dimension; ++facet) {
@@ -163,60 +152,48 @@ void PatchWriter::write_fracture(HostBatch& batch, int facet, std::int32_t eleme
   batch.crack_edges.push_back(crack_edge);
 }
 
-/// One element per new cell: it is the outflow facet; of the other facets those on old cells are inflow, those between
-/// new cells interior, and the merged boundary facet takes the condition of its side.
-void PatchWriter::write_cone(const DeletionPlan& plan, HostBatch& batch) {
+void PatchWriter::write_exchange(const CellExchange& exchange, HostBatch& batch) {
   const FrontMesh& mesh = state_.front.mesh();
-  const int dimension = mesh.dimension();
-  const std::int32_t first = static_cast<std::int32_t>(batch.elements.size());
-  std::vector<std::vector<std::int32_t>> vertices;
-  for (const NewFrontCell& cell : plan.cells)
-    vertices.push_back(element_vertices(cell.vertex, dimension + 1, plan.vertex));
-  for (std::size_t e = 0; e < plan.cells.size(); ++e) {
+  const std::size_t first = batch.elements.size();
+  for (std::size_t number = 0; number < exchange.between.size(); ++number) {
     ElementDescriptor element = empty_element();
-    element.material = plan.cells[e].region;
-    for (int corner = 0; corner <= dimension + 1; ++corner)
-      put_corner(element, corner, mesh.position(vertices[e][corner]), mesh.time(vertices[e][corner]));
-    std::int32_t cell_below = plan.footprint.front().cell;
-    for (int facet = 0; facet <= dimension + 1; ++facet) {
-      if (vertices[e][facet] == plan.vertex) continue;
-      const std::vector<std::int32_t> corners = without(vertices[e], facet);
-      const auto below = std::ranges::find_if(plan.footprint, [&](const FootprintCell& cell) {
-        return std::ranges::equal(mesh.vertices(cell.cell), corners);
-      });
-      if (below != plan.footprint.end()) {
-        write_inflow(batch, element, facet, below->cell);
-        cell_below = below->cell;
-        continue;
-      }
-      for (std::size_t other = 0; other < plan.cells.size(); ++other)
-        for (int across = 0; across <= dimension + 1; ++across)
-          if (other != e && without(vertices[other], across) == corners) {
-            element.facet_kind[facet] = FacetKind::interior;
-            element.neighbor[facet] = first + static_cast<std::int32_t>(other);
-            element.neighbor_facet[facet] = static_cast<std::uint8_t>(across);
-          }
-      if (element.facet_kind[facet] != FacetKind::interior)
-        write_boundary(batch, element, facet, plan.boundary.front().boundary);
+    element.material = exchange.between[number].region;
+    for (int corner = 0; corner <= mesh.dimension() + 1; ++corner) {
+      const std::int32_t vertex = exchange.between[number].vertex[corner];
+      put_corner(element, corner, mesh.position(vertex), mesh.time(vertex));
     }
+    const std::int32_t cell_below = write_exchange_facets(exchange, first, number, batch, element);
     finish(batch, element, cell_below);
   }
 }
 
-/// One element with two old cells below and two new ones above.
-void PatchWriter::write_flip(const FlipPlan& plan, HostBatch& batch) {
-  const FrontMesh& mesh = state_.front.mesh();
-  std::vector<std::int32_t> vertices(plan.edge.begin(), plan.edge.end());
-  vertices.insert(vertices.end(), plan.diagonal.begin(), plan.diagonal.end());
-  std::sort(vertices.begin(), vertices.end());
-  ElementDescriptor element = empty_element();
-  for (int corner = 0; corner < 4; ++corner)
-    put_corner(element, corner, mesh.position(vertices[corner]), mesh.time(vertices[corner]));
-  for (const FootprintCell& below : plan.footprint)
-    for (int facet = 0; facet < 4; ++facet)
-      if (std::ranges::equal(mesh.vertices(below.cell), without(vertices, facet)))
-        write_inflow(batch, element, facet, below.cell);
-  finish(batch, element, plan.footprint.front().cell);
+/// Facets are told by their vertices. Returns a cell that the element stands on, or else one below the patch.
+std::int32_t PatchWriter::write_exchange_facets(const CellExchange& exchange, std::size_t first, std::size_t number,
+                                                HostBatch& batch, ElementDescriptor& element) {
+  std::int32_t cell_below = exchange.below.front().cell;
+  const int num_facets = state_.front.mesh().dimension() + 2;
+  for (int facet = 0; facet < num_facets; ++facet) {
+    const FacetVertices vertices = facet_vertices(exchange.between[number], facet);
+    if (std::ranges::find(exchange.above, vertices, &NewFrontCell::vertex) != exchange.above.end()) continue;
+    const auto below = std::ranges::find_if(exchange.below, [&](const FootprintCell& entry) {
+      return state_.front.mesh().cell(entry.cell).vertex == vertices;
+    });
+    if (below != exchange.below.end()) {
+      cell_below = below->cell;
+      write_inflow(batch, element, facet, cell_below);
+      continue;
+    }
+    for (std::size_t other = 0; other < exchange.between.size(); ++other)
+      for (int across = 0; other != number && across < num_facets; ++across)
+        if (facet_vertices(exchange.between[other], across) == vertices) {
+          element.facet_kind[facet] = FacetKind::interior;
+          element.neighbor[facet] = static_cast<std::int32_t>(first + other);
+          element.neighbor_facet[facet] = static_cast<std::uint8_t>(across);
+        }
+    if (element.facet_kind[facet] != FacetKind::interior)
+      write_boundary(batch, element, facet, exchange.boundary.front().boundary);
+  }
+  return cell_below;
 }
 
 }  // namespace tentpole

@@ -17,8 +17,9 @@ class PatchWriter {
  private:
   void write_tent(const PatchPlan& plan, HostBatch& batch);
   void write_tent_facets(const PatchPlan& plan, HostBatch& batch, std::int32_t cell, ElementDescriptor& element);
-  void write_cone(const DeletionPlan& plan, HostBatch& batch);
-  void write_flip(const FlipPlan& plan, HostBatch& batch);
+  void write_exchange(const CellExchange& exchange, HostBatch& batch);
+  std::int32_t write_exchange_facets(const CellExchange& exchange, std::size_t first, std::size_t number,
+                                     HostBatch& batch, ElementDescriptor& element);
   void write_inflow(HostBatch& batch, ElementDescriptor& element, int facet, std::int32_t cell);
   void write_boundary(HostBatch& batch, ElementDescriptor& element, int facet, int boundary);
   void write_fracture(HostBatch& batch, int facet, std::int32_t element, std::int32_t neighbor, int neighbor_facet,

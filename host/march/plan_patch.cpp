@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace tentpole {
 namespace {
@@ -79,10 +81,9 @@ PatchPlan plan_patch(const AdaptiveState& state, std::int32_t vertex) {
   if (state.memory[vertex].dissipation < state.books.simulation.settings.adaptivity.coarsening) {
     DeletionLimits limits;
     limits.longest_edge = coarse_limit(state, vertex);
-    plan.deletion = state.front.plan_deletion(vertex, limits);
-    if (plan.deletion) {
+    if (std::optional<CellExchange> deletion = state.front.plan_deletion(vertex, limits)) {
       plan.operation = PatchOperation::deletion;
-      plan.footprint = plan.deletion->footprint;
+      plan.exchange = std::move(*deletion);
       return plan;
     }
   }
@@ -90,14 +91,13 @@ PatchPlan plan_patch(const AdaptiveState& state, std::int32_t vertex) {
                         !state.memory[vertex].keeps_shape && state.front.cracks().at(vertex).empty() &&
                         smallest_angle_sine_of_star(mesh, vertex) < poor_angle_sine;
   if (improves) {
-    plan.flip = best_flip(state.front, vertex);
-    if (plan.flip) {
+    if (std::optional<FlipPlan> flip = best_flip(state.front, vertex)) {
       plan.operation = PatchOperation::flip;
-      plan.footprint = plan.flip->footprint;
+      plan.exchange = std::move(flip->exchange);
       return plan;
     }
   }
-  plan.footprint = star_footprint(mesh, vertex);
+  plan.exchange.below = star_footprint(mesh, vertex);
   if (improves)
     if (const std::optional<Point> target = state.front.smoothing_target(vertex))
       if (const auto tent = state.front.plan_inclined_tent(vertex, *target, state.books.simulation.scaled_end_time())) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "host/march/adaptive_state.hpp"
 
 namespace tentpole {
@@ -12,10 +10,11 @@ enum class PatchOperation { tent, inclined_tent, deletion, flip };
 struct PatchPlan {
   PatchOperation operation = PatchOperation::tent;
   std::int32_t vertex = none;
-  Footprint footprint;  ///< cells below the patch
-  InclinedTent top{};   ///< of a tent, inclined or not
-  std::optional<DeletionPlan> deletion;
-  std::optional<FlipPlan> flip;
+  CellExchange exchange;  ///< of a tent only `below`: its cells stay, and an element joins each to the top of the pole
+  InclinedTent top{};     ///< of a tent, inclined or not
+
+  const Footprint& below() const { return exchange.below; }
+  bool is_tent() const { return exchange.between.empty(); }
 };
 
 /// The operation at a local minimum: deletion where the solution needs fewer cells, a flip or a moved pole where cells

@@ -58,16 +58,18 @@ TEST(AdaptiveFrontCoarsening, TakesTheCentreOutOfAPentagon) {
   raise_neighbors(front, 5);
   const auto plan = front.plan_deletion(5);
   ASSERT_TRUE(plan);
-  EXPECT_EQ(plan->footprint.size(), 5u);
-  EXPECT_EQ(plan->cells.size(), 3u);
-  const std::vector<std::int32_t> ids = front.commit_deletion(*plan);
+  EXPECT_EQ(plan->below.size(), 5u);
+  EXPECT_EQ(plan->above.size(), 3u);
+  ASSERT_EQ(plan->between.size(), 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(plan->between[i].vertex[3], 5) << "the cone over cell " << i;
+  const std::vector<std::int32_t> ids = front.commit(*plan);
   ASSERT_EQ(ids.size(), 3u);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(front.mesh().cell(ids[i]).vertex, plan->cells[i].vertex);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(front.mesh().cell(ids[i]).vertex, plan->above[i].vertex);
   EXPECT_FALSE(front.mesh().is_alive_vertex(5));
   EXPECT_EQ(front.mesh().num_cells(), 3);
   EXPECT_NO_THROW(front.check());
-  EXPECT_FALSE(front.is_unchanged(plan->footprint));
-  EXPECT_THROW(front.commit_deletion(*plan), std::logic_error);
+  EXPECT_FALSE(front.is_unchanged(plan->below));
+  EXPECT_THROW(front.commit(*plan), std::logic_error);
 }
 
 TEST(AdaptiveFrontCoarsening, ObeysTheLimitsOfAngleAndSize) {
@@ -98,7 +100,7 @@ TEST(AdaptiveFrontCoarsening, UndoesRefinementAlongSidesAndInterfaces) {
       on_side += is_line && !plan->boundary.empty();
       on_interface += is_line && plan->boundary.empty();
       EXPECT_NE(cells.kind(vertex), VertexKind::corner);
-      front.commit_deletion(*plan);
+      front.commit(*plan);
       ASSERT_NO_THROW(front.check());
     }
   EXPECT_GT(inside, 20);
@@ -116,9 +118,9 @@ TEST(AdaptiveFrontCoarsening, MergesIntervalsOfALine) {
   raise_neighbors(front, 2);
   const auto plan = front.plan_deletion(2);
   ASSERT_TRUE(plan);
-  ASSERT_EQ(plan->cells.size(), 1u);
-  EXPECT_EQ(plan->cells[0].vertex, (FrontVertices{1, 3, none}));
-  front.commit_deletion(*plan);
+  ASSERT_EQ(plan->above.size(), 1u);
+  EXPECT_EQ(plan->above[0].vertex, (FrontVertices{1, 3, none}));
+  front.commit(*plan);
   EXPECT_EQ(front.mesh().num_cells(), 3);
   EXPECT_NO_THROW(front.check());
   EXPECT_FALSE(front.plan_deletion(0));
@@ -152,10 +154,12 @@ TEST(AdaptiveFrontCoarsening, FlipsAnEdgeOnlyForBetterAnglesAndALaterDiagonal) {
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->diagonal, (std::array<std::int32_t, 2>{2, 3}));
   EXPECT_GT(plan->angle_gain, 0);
+  ASSERT_EQ(plan->exchange.between.size(), 1u);
+  EXPECT_EQ(plan->exchange.between[0].vertex, (std::array<std::int32_t, 4>{0, 1, 2, 3}));
   AdaptiveFront cracked = front;
   cracked.mark_crack(0, 1);
   EXPECT_FALSE(cracked.plan_flip(0, 1));
-  const auto ids = front.commit_flip(*plan);
+  const auto ids = front.commit(plan->exchange);
   EXPECT_EQ(front.mesh().cell(ids[0]).vertex, (FrontVertices{0, 2, 3}));
   EXPECT_EQ(front.mesh().cell(ids[1]).vertex, (FrontVertices{1, 2, 3}));
   EXPECT_NO_THROW(front.check());

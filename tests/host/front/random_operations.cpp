@@ -61,7 +61,7 @@ bool flip(AdaptiveFront& front, std::mt19937_64& random, OperationCounts& counts
   const auto corners = front.mesh().vertices(draw_cell(front.mesh(), random));
   const int first = draw_below(random, front.mesh().num_corners());
   const auto plan = front.plan_flip(corners[first], corners[(first + 1) % front.mesh().num_corners()]);
-  if (plan) front.commit_flip(*plan);
+  if (plan) front.commit(plan->exchange);
   counts.flips += plan.has_value();
   return plan.has_value();
 }
@@ -91,7 +91,7 @@ void random_operation(AdaptiveFront& front, std::mt19937_64& random, double caus
   const int vertex = minima[draw_below(random, static_cast<int>(minima.size()))];
   if (choice > 0.55 && choice < 0.75)
     if (const auto plan = front.plan_deletion(vertex, mix.deletion)) {
-      front.commit_deletion(*plan);
+      front.commit(*plan);
       ++counts.deletions;
       return;
     }
