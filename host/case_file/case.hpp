@@ -47,8 +47,6 @@ struct AdaptivitySettings {
   std::optional<double> reference_energy;  ///< [J] (D = 2: per metre of thickness, D = 1: per m^2); absent: estimated
 };
 
-enum class OutputField { displacement, velocity, stress, strain_energy_density, damage };
-
 /// [[output.probe]]: a point whose state is recorded.
 struct ProbeSettings {
   std::string name;
@@ -60,7 +58,7 @@ struct ProbeSettings {
 /// [output]
 struct OutputSettings {
   std::vector<double> snapshot_times;  ///< [s], ascending, in (0, end]; `snapshots = n` gives end * i / n, i = 1..n
-  std::vector<OutputField> fields{OutputField::displacement, OutputField::velocity, OutputField::stress};
+  std::vector<std::string> fields{"displacement", "velocity", "stress"};  ///< of field_names.hpp
   std::vector<ProbeSettings> probes;
   double history_interval = 0;  ///< [s]; end / 200 unless given
 };

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <set>
 
+#include "host/case_file/field_names.hpp"
 #include "host/case_file/number_text.hpp"
 #include "host/case_file/sections.hpp"
 
@@ -35,20 +36,17 @@ std::vector<double> read_snapshot_times(const TableReader& reader, double end) {
   return *times;
 }
 
-std::vector<OutputField> read_fields(const TableReader& reader, const SectionContext& context) {
-  static const std::vector<std::string> names{"displacement", "velocity", "stress", "strain_energy_density", "damage"};
-  std::vector<OutputField> fields;
+std::vector<std::string> read_fields(const TableReader& reader, const SectionContext& context) {
+  std::vector<std::string> fields;
   const auto given = reader.texts("fields", Presence::optional);
   if (!given) return OutputSettings().fields;
   std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  for (const std::string_view name : field_names) known += (known.empty() ? "" : ", ") + std::string(name);
   for (const std::string& name : *given) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    const auto field = static_cast<OutputField>(found - names.begin());
-    if (found == names.end())
+    if (std::find(field_names.begin(), field_names.end(), name) == field_names.end())
       reader.report("fields", "unknown field \"" + name + "\". Known: " + known + ".");
-    else if (std::find(fields.begin(), fields.end(), field) == fields.end())
-      fields.push_back(field);
+    else if (std::find(fields.begin(), fields.end(), name) == fields.end())
+      fields.push_back(name);
     if (name == "damage" && !context.has_fracture)
       context.warnings.push_back(to_string(reader.location("fields")) +
                                  ": without fracture there is no damage to write.");

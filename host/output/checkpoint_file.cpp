@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view format_name = "tentpole checkpoint";
 /// Raise it whenever the data sets, or what ledger, recorder and history write into theirs, change.
-constexpr std::int64_t format_version = 6;
+constexpr std::int64_t format_version = 7;
 
 /// An HDF5 identifier that closes itself; throws where HDF5 reports an error.
 class Handle {

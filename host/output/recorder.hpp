@@ -19,8 +19,7 @@ struct RecorderOptions {
   bool plane_stress = false;           ///< D = 2: the out-of-plane stress is 0 instead of lambda tr E
   OutputFolder folder;                 ///< must exist when the first file is written
   std::vector<double> snapshot_times;  ///< [s], ascending
-  /// Among displacement, velocity, stress, strain_energy_density, and damage, which is one value per element.
-  std::vector<std::string> fields;
+  std::vector<std::string> fields;     ///< names of fields.hpp
   std::vector<ProbeOptions> probes;
   /// Called before files are written; throws FolderLost if that must not be.
   std::function<void()> require_folder = [] {};

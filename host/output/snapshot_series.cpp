@@ -13,30 +13,20 @@
 namespace tentpole {
 namespace {
 
-struct FieldKind {
-  const char* name;
-  int num_components;  ///< per point; 0: one value per cell
-};
-constexpr FieldKind field_kinds[] = {
-    {"displacement", 3}, {"velocity", 3}, {"stress", 6}, {"strain_energy_density", 1}, {"damage", 0}};
+using Fields = std::vector<const OutputField*>;
 
-const FieldKind& find_field(const std::string& name) {
-  for (const FieldKind& kind : field_kinds)
-    if (kind.name == name) return kind;
-  throw std::invalid_argument(
-      "output field \"" + name +
-      "\" is unknown; allowed are displacement, velocity, stress, strain_energy_density, damage");
+/// Numbers per point or per cell.
+std::size_t num_values(const Fields& fields, FieldPlace place) {
+  std::size_t count = 0;
+  for (const OutputField* field : fields)
+    if (field->place == place) count += field->num_components;
+  return count;
 }
 
-/// Appends the wanted fields at one point; damage belongs to the cells.
-void append_values(const std::vector<std::string>& names, const PointFields& fields, std::vector<double>& values) {
-  const auto append = [&](const auto& array) { values.insert(values.end(), array.begin(), array.end()); };
-  for (const std::string& name : names) {
-    if (name == "displacement") append(fields.displacement);
-    if (name == "velocity") append(fields.velocity);
-    if (name == "stress") append(fields.stress);
-    if (name == "strain_energy_density") values.push_back(fields.strain_energy_density);
-  }
+void append_values(const Fields& fields, FieldPlace place, const SpacetimeElement& element, const PointFields& at_point,
+                   std::vector<double>& values) {
+  for (const OutputField* field : fields)
+    if (field->place == place) field->append(element, at_point, values);
 }
 
 std::string snapshot_name(int index) {
@@ -45,12 +35,12 @@ std::string snapshot_name(int index) {
   return name;
 }
 
-/// Splits the mixed point values of a piece into the grid's arrays.
-void append_point_data(const SnapshotPiece& piece, std::vector<GridArray<double>>& arrays) {
-  auto value = piece.values.begin();
-  for (std::size_t point = 0; point < piece.cells.points.size(); ++point)
+/// Splits mixed values into the grid's arrays, as often as they repeat.
+void append_values(std::span<const double> values, std::vector<GridArray<double>>& arrays) {
+  for (std::size_t value = 0; value < values.size();)
     for (GridArray<double>& array : arrays) {
-      array.values.insert(array.values.end(), value, value + array.num_components);
+      const auto part = values.subspan(value, array.num_components);
+      array.values.insert(array.values.end(), part.begin(), part.end());
       value += array.num_components;
     }
 }
@@ -65,8 +55,8 @@ void append_piece(const SnapshotPiece& piece, std::int64_t number, UnstructuredG
   grid.types.insert(grid.types.end(), num_cells, static_cast<std::uint8_t>(piece.cells.shape));
   grid.cell_numbers[0].values.insert(grid.cell_numbers[0].values.end(), num_cells, number);
   grid.cell_numbers[1].values.insert(grid.cell_numbers[1].values.end(), num_cells, piece.region);
-  for (GridArray<double>& array : grid.cell_data) array.values.insert(array.values.end(), num_cells, piece.damage);
-  append_point_data(piece, grid.point_data);
+  for (std::size_t cell = 0; cell < num_cells; ++cell) append_values(piece.cell_values, grid.cell_data);
+  append_values(piece.values, grid.point_data);
 }
 
 /// Bytes of a piece without points, less than any takes.
@@ -76,11 +66,11 @@ void save_piece(std::ostream& stream, const SnapshotPiece& piece) {
   write_value(stream, piece.place);
   write_value(stream, piece.id);
   write_value(stream, piece.region);
-  write_value(stream, piece.damage);
   write_value(stream, piece.cells.shape);
   write_vector(stream, piece.cells.points);
   write_vector(stream, piece.cells.connectivity);
   write_vector(stream, piece.values);
+  write_vector(stream, piece.cell_values);
 }
 
 bool is_shape(SliceShape shape) {
@@ -95,38 +85,35 @@ bool is_shape(SliceShape shape) {
   return false;
 }
 
-/// `num_values`: per point.
-SnapshotPiece load_piece(std::istream& stream, std::size_t num_values) {
+SnapshotPiece load_piece(std::istream& stream, const Fields& fields) {
   SnapshotPiece piece;
   piece.place = read_value<std::array<double, 4>>(stream);
   piece.id = read_value<std::int64_t>(stream);
   piece.region = read_value<std::int64_t>(stream);
-  piece.damage = read_value<double>(stream);
   piece.cells.shape = read_value<SliceShape>(stream);
   require_sound(stream, is_shape(piece.cells.shape), "a slice has an unknown shape");
   piece.cells.points = read_vector<std::array<double, 3>>(stream);
   piece.cells.connectivity = read_vector<int>(stream);
   piece.values = read_vector<double>(stream);
+  piece.cell_values = read_vector<double>(stream);
   const auto num_points = static_cast<std::int64_t>(piece.cells.points.size());
   require_sound(stream, piece.cells.connectivity.size() % num_corners(piece.cells.shape) == 0, "a cell lacks corners");
   for (const int corner : piece.cells.connectivity)
     require_sound(
         stream, corner >= 0 && corner < num_points,
         "corner " + std::to_string(corner) + " of a cell is none of " + std::to_string(num_points) + " points");
-  require_sound(stream, piece.values.size() == num_points * num_values, "a piece of a snapshot lacks values");
+  require_sound(stream,
+                piece.values.size() == num_points * num_values(fields, FieldPlace::point) &&
+                    piece.cell_values.size() == num_values(fields, FieldPlace::cell),
+                "a piece of a snapshot lacks values");
   return piece;
 }
 
 }  // namespace
 
-SnapshotSeries::SnapshotSeries(Options options) : options_(std::move(options)), pieces_(options_.times.size()) {
+SnapshotSeries::SnapshotSeries(Options options)
+    : options_(std::move(options)), fields_(output_fields(options_.fields)), pieces_(options_.times.size()) {
   check_output_times(options_.times, "snapshots");
-  for (std::size_t i = 0; i < options_.fields.size(); ++i) {
-    find_field(options_.fields[i]);
-    if (std::find(options_.fields.begin(), options_.fields.begin() + i, options_.fields[i]) !=
-        options_.fields.begin() + i)
-      throw std::invalid_argument("output field \"" + options_.fields[i] + "\" is named twice; name it once");
-  }
 }
 
 void SnapshotSeries::record(const SpacetimeElement& element, const ElementFields& fields) {
@@ -139,18 +126,15 @@ void SnapshotSeries::record(const SpacetimeElement& element, const ElementFields
                              ", which was written before; finish() was called with a front time that is too late");
     const std::optional<Slice> slice = slice_element(element, time);
     if (!slice) continue;
-    SnapshotPiece piece{element.centroid(),
-                        element.id,
-                        element.region,
-                        element.damage,
-                        subdivide(*slice, options_.num_subdivisions),
-                        {}};
+    SnapshotPiece piece{
+        element.centroid(), element.id, element.region, subdivide(*slice, options_.num_subdivisions), {}, {}};
+    append_values(fields_, FieldPlace::cell, element, {}, piece.cell_values);
     for (const auto& point : piece.cells.points) {
       std::array<double, 4> event{point[0], point[1], point[2], 0};
       event[dimension] = time;
       PointFields value = fields.at(std::span(event).first(dimension + 1));
       if (options_.plane_stress) value.stress[2] = 0;
-      append_values(options_.fields, value, piece.values);
+      append_values(fields_, FieldPlace::point, element, value, piece.values);
     }
     pieces_[index].push_back(std::move(piece));
   }
@@ -174,10 +158,9 @@ void SnapshotSeries::write_snapshot(int index) {
   UnstructuredGrid grid;
   grid.time = options_.times[index];
   grid.cell_numbers = {{"element", 1, {}}, {"region", 1, {}}};
-  for (const std::string& name : options_.fields) {
-    const int num_components = find_field(name).num_components;
-    (num_components > 0 ? grid.point_data : grid.cell_data).push_back({name, std::max(num_components, 1), {}});
-  }
+  for (const OutputField* field : fields_)
+    (field->place == FieldPlace::point ? grid.point_data : grid.cell_data)
+        .push_back({std::string(field->name), field->num_components, {}});
   for (std::size_t number = 0; number < pieces.size(); ++number)
     append_piece(pieces[number], static_cast<std::int64_t>(number), grid);
   write_vtkhdf(options_.folder, snapshot_name(index), grid);
@@ -204,12 +187,10 @@ void SnapshotSeries::load(std::istream& stream) {
   if (num_times != options_.times.size())
     throw std::runtime_error("the checkpoint has " + std::to_string(num_times) + " snapshot times and the case " +
                              std::to_string(options_.times.size()) + "; resume with the case file of the checkpoint");
-  std::size_t num_values = 0;
-  for (const std::string& name : options_.fields) num_values += find_field(name).num_components;
   for (auto& pieces : pieces_) {
     pieces.clear();
     for (auto left = read_length(stream, smallest_piece); left > 0; --left)
-      pieces.push_back(load_piece(stream, num_values));
+      pieces.push_back(load_piece(stream, fields_));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/output/fields.hpp"
 #include "host/output/output_folder.hpp"
 #include "host/output/slice_cells.hpp"
 #include "host/output/spacetime_element.hpp"
@@ -19,9 +20,9 @@ struct SnapshotPiece {
   std::array<double, 4> place{};  ///< centroid of the element, the order in the file
   std::int64_t id = 0;
   std::int64_t region = 0;
-  double damage = 0;  ///< of the element
   SliceCells cells;
-  std::vector<double> values;  ///< [num_points][all components of all fields]
+  std::vector<double> values;       ///< [num_points][components of the fields of points]
+  std::vector<double> cell_values;  ///< [components of the fields of cells]
 };
 
 /// The files snapshot_NNNN.vtkhdf and snapshot.vtkhdf.series of a run.
@@ -32,7 +33,7 @@ class SnapshotSeries {
     bool plane_stress = false;
     OutputFolder folder;
     std::vector<double> times;        ///< [s], strictly ascending
-    std::vector<std::string> fields;  ///< see RecorderOptions
+    std::vector<std::string> fields;  ///< names of fields.hpp
   };
 
   /// Throws std::invalid_argument for an unknown or repeated field and for times out of order.
@@ -59,6 +60,7 @@ class SnapshotSeries {
   void write_series_file() const;
 
   Options options_;
+  std::vector<const OutputField*> fields_;
   std::vector<std::vector<SnapshotPiece>> pieces_;  ///< [times]
   int num_written_ = 0;
 };

@@ -223,7 +223,7 @@ void add_fracture(const FractureSettings& fracture, SettingList& list) {
 void add_output(const OutputSettings& output, SettingList& list) {
   list.add("output.snapshots", list_text(output.snapshot_times));
   std::string fields;
-  for (const OutputField field : output.fields) fields += std::to_string(static_cast<int>(field)) + " ";
+  for (const std::string& field : output.fields) fields += field + " ";
   list.add("output.fields", fields);
   list.add("output.history_interval", output.history_interval);
   for (const ProbeSettings& probe : output.probes) {

@@ -17,22 +17,6 @@
 namespace tentpole {
 namespace {
 
-std::string field_name(OutputField field) {
-  switch (field) {
-    case OutputField::displacement:
-      return "displacement";
-    case OutputField::velocity:
-      return "velocity";
-    case OutputField::stress:
-      return "stress";
-    case OutputField::strain_energy_density:
-      return "strain_energy_density";
-    case OutputField::damage:
-      return "damage";
-  }
-  return "";
-}
-
 RecorderOptions recorder_options(const Simulation& simulation, const RunOptions& run, const OutputFolder& folder) {
   const Case& settings = simulation.settings;
   RecorderOptions options;
@@ -42,7 +26,7 @@ RecorderOptions recorder_options(const Simulation& simulation, const RunOptions&
   options.plane_stress = settings.materials.begin()->second.plane == Plane::stress;
   options.require_folder = run.require_folder;
   options.snapshot_times = settings.output.snapshot_times;
-  for (const OutputField field : settings.output.fields) options.fields.push_back(field_name(field));
+  options.fields = settings.output.fields;
   for (const ProbeSettings& probe : settings.output.probes)
     options.probes.push_back({probe.name, probe.point, times_at_interval(probe.interval, settings.end_time)});
   return options;
