@@ -54,8 +54,9 @@ int write_calibration(const std::filesystem::path& file) {
     throw InputError("--calibrate " + file.string() + ": cannot be written. Give a file name in a folder that exists.");
   const BuildInfo build = build_info();
   const Machine machine = calibrate_machine();
-  replace_text_file(file.parent_path(), file.filename(), machine_text(machine, "Measured by tentpole " + build.version + " (" + build.git_revision +
-                                                    ", " + build.compiler + ")."));
+  replace_text_file(file.parent_path(), file.filename(),
+                    machine_text(machine, "Measured by tentpole " + build.version + " (" + build.git_revision + ", " +
+                                              build.compiler + ")."));
   std::cout << printable(file.string()) << "\n" << text_table(sweep_rows(machine), "rrrr");
   return 0;
 }

@@ -28,9 +28,10 @@ void CsvFile::append(std::string_view lines) {
   // A full disk can take the beginning of a line; the file keeps whole lines only.
   const bool cut = complete || written <= 0 || ftruncate(descriptor, num_bytes_) == 0;
   if (!complete)
-    throw std::runtime_error(
-        (folder_ / name_).string() + ": cannot append rows: " + (written < 0 ? std::strerror(error) : "the disk is full") +
-        (cut ? "" : ", and its last line is incomplete") + ". Check the free space and the permissions of the folder.");
+    throw std::runtime_error((folder_ / name_).string() +
+                             ": cannot append rows: " + (written < 0 ? std::strerror(error) : "the disk is full") +
+                             (cut ? "" : ", and its last line is incomplete") +
+                             ". Check the free space and the permissions of the folder.");
   num_bytes_ += written;
 }
 
@@ -38,8 +39,8 @@ void CsvFile::append(std::string_view lines) {
 Descriptor CsvFile::open_own() {
   const Descriptor folder = folder_.open();
   const bool creates = num_bytes_ == 0 && !identity_;
-  Descriptor file(openat(folder, name_.c_str(),
-                         O_WRONLY | O_APPEND | O_CLOEXEC | (creates ? O_CREAT | O_TRUNC : 0), 0666));
+  Descriptor file(
+      openat(folder, name_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | (creates ? O_CREAT | O_TRUNC : 0), 0666));
   if (file < 0 && errno == ENOENT) lose("it was deleted");
   if (file >= 0) check_own(file);
   return file;

@@ -11,8 +11,8 @@ namespace tentpole {
 /// Writes everything that a run needs to go on bitwise identically: front, the elements below it (renumbered by cell,
 /// so the file is as large as the front), the books, and where the output files stood. The state must be settled: every
 /// tent pitched is committed. The rows of the output tables reach the disk first, so that even after a power failure
-/// the tables are at least as long as the checkpoint says. Throws std::runtime_error if the file cannot be written, FolderLost
-/// if the folder is not the one claimed; an older checkpoint is then untouched.
+/// the tables are at least as long as the checkpoint says. Throws std::runtime_error if the file cannot be written,
+/// FolderLost if the folder is not the one claimed; an older checkpoint is then untouched.
 void save_checkpoint(const OutputFolder& folder, RunBooks& books, const FrontMarch& march);
 
 /// Puts a checkpoint into the state of a run that has not begun; its next rows follow those that the checkpoint knows.

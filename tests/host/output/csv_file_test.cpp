@@ -67,7 +67,8 @@ TEST(CsvFile, NeverWritesIntoAFolderOrFileThatIsAnothers) {
   }
   {
     const TemporaryFolder root;
-    EXPECT_NE(loss(root, [](const fs::path& folder) { fs::remove_all(folder); }).find("the result folder was deleted or moved"),
+    EXPECT_NE(loss(root, [](const fs::path& folder) { fs::remove_all(folder); })
+                  .find("the result folder was deleted or moved"),
               std::string::npos);
     EXPECT_TRUE(fs::is_empty(root.path()));
   }
