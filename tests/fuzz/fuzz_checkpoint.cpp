@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -18,9 +19,10 @@
 
 // The way of a checkpoint into a run that has not begun. The first byte says which section the other bytes stand for;
 // the others are those of a run of the same case: 0 an adaptive march, 1 ledger, 2 recorder, 3 history, 4 the cells of
-// a fixed march, 5 the whole file. With 6 more, the other bytes change the sound section: four each, a place (24 bits)
-// and the byte to put there. Whatever the bytes are, they are restored or refused with a message; what is restored can
-// be saved again.
+// a fixed march. With 6 more, the other bytes change the sound section: four each, a place (24 bits) and the byte to
+// put there. 5 or 11: they change the data sets of a whole checkpoint. Whatever the bytes are, they are restored or
+// refused with a message; what is restored can be saved again. (What HDF5 does with a file that is none of its own is
+// the library's affair.)
 namespace tentpole {
 namespace {
 
@@ -212,11 +214,6 @@ std::string bytes_of(const std::vector<std::int32_t>& values) {
   return {reinterpret_cast<const char*>(values.data()), 4 * values.size()};
 }
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string changed(std::string sound, const std::string& edits) {
   for (std::size_t i = 0; i + 4 <= edits.size() && !sound.empty(); i += 4) {
     const auto part = [&](int j) { return static_cast<std::size_t>(static_cast<unsigned char>(edits[i + j])); };
@@ -226,21 +223,64 @@ std::string changed(std::string sound, const std::string& edits) {
 }
 
 /// The sound bytes of each section.
-std::array<std::string, 6> sound_sections(const Subject& adaptive, const Subject& fixed) {
+std::array<std::string, 5> sound_sections(const Subject& adaptive, const Subject& fixed) {
   const CheckpointContents &contents = adaptive.good(), &other = fixed.good();
-  return {contents.march,
-          contents.ledger,
-          contents.recorder,
-          contents.history,
-          bytes_of(other.cell_element) + bytes_of(other.cell_facet),
-          bytes_of(adaptive.file())};
+  return {contents.march, contents.ledger, contents.recorder, contents.history,
+          bytes_of(other.cell_element) + bytes_of(other.cell_facet)};
+}
+
+template <class Value>
+void change(std::vector<Value>& values, std::size_t place, unsigned char byte, bool cuts) {
+  if (cuts) values.resize(place % (2 * values.size() + 2));
+  if (!values.empty()) std::memset(&values[place % values.size()], byte, sizeof(Value));
+}
+
+/// Four bytes each: which data set, a place (16 bits), and of what byte the value there is made.
+CheckpointContents with_changes(CheckpointContents contents, const std::string& bytes) {
+  for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
+    const auto part = [&](int j) { return static_cast<unsigned char>(bytes[i + j]); };
+    const std::size_t place = part(1) + 256u * part(2);
+    const bool cuts = part(0) >= 128;
+    switch (part(0) % 8) {
+      case 0:
+        change(contents.front_times, place, part(3), cuts);
+        break;
+      case 1:
+        change(contents.cell_element, place, part(3), cuts);
+        break;
+      case 2:
+        change(contents.cell_facet, place, part(3), cuts);
+        break;
+      case 3:
+        change(contents.coefficients, place, part(3), cuts);
+        break;
+      case 4:
+        change(contents.inverse_jacobians, place, part(3), cuts);
+        break;
+      case 5:
+        change(contents.stage_seconds, place, part(3), cuts);
+        break;
+      case 6:
+        change(contents.run_counts, place, part(3), cuts);
+        break;
+      default:
+        contents.settings[place % contents.settings.size()].second += static_cast<char>(part(3));
+    }
+  }
+  return contents;
+}
+
+void restore_whole(Subject& subject, const std::string& bytes) {
+  const auto march = subject.make_march();
+  restore_checkpoint(subject.file(), with_changes(subject.good(), bytes), subject.run().books, *march, true);
 }
 
 void restore(int choice, std::string bytes) {
   static const TemporaryFolder adaptive_folder, fixed_folder;
   static Subject adaptive(adaptive_folder.path(), adaptive_case), fixed(fixed_folder.path(), fixed_case);
-  static const std::array<std::string, 6> sound = sound_sections(adaptive, fixed);
+  static const std::array<std::string, 5> sound = sound_sections(adaptive, fixed);
   const int section = choice % 6;
+  if (section == 5) return restore_whole(choice == 5 ? adaptive : fixed, bytes);
   if (choice >= 6) bytes = changed(sound[section], bytes);
   CheckpointContents contents = adaptive.good();
   switch (section) {
@@ -253,11 +293,8 @@ void restore(int choice, std::string bytes) {
       return restore_book(adaptive.run().recorder, bytes);
     case 3:
       return restore_book(adaptive.run().history, bytes);
-    case 4:
-      return restore_march(fixed, with_cells(fixed.good(), bytes));
     default:
-      std::ofstream(adaptive.file(), std::ios::binary | std::ios::trunc) << bytes;
-      read_checkpoint_file(adaptive.file());
+      return restore_march(fixed, with_cells(fixed.good(), bytes));
   }
 }
 
