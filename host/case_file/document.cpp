@@ -215,9 +215,11 @@ std::string read_text(const SourceLocation& file, const std::filesystem::path& p
   std::string text;
   std::ifstream stream(path, std::ios::binary);
   if (stream && std::filesystem::is_regular_file(path, ignored)) {
-    text.resize(largest_toml_file + 1);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+    // Block by block: the limit is far beyond what a case takes.
+    for (char block[1 << 14]; stream && text.size() <= largest_toml_file;) {
+      stream.read(block, sizeof block);
+      text.append(block, static_cast<std::size_t>(stream.gcount()));
+    }
   }
   if (text.empty()) problems.push_back({file, "is not a readable file with text in it. Give the path of a TOML file."});
   if (text.size() > largest_toml_file)

@@ -160,7 +160,11 @@ void save_checkpoint(const OutputFolder& folder, RunBooks& books, const FrontMar
 }
 
 void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march, bool any_build) {
-  const CheckpointContents contents = read_checkpoint_file(file);
+  restore_checkpoint(file, read_checkpoint_file(file), books, march, any_build);
+}
+
+void restore_checkpoint(const std::filesystem::path& file, const CheckpointContents& contents, RunBooks& books,
+                        FrontMarch& march, bool any_build) {
   const std::string difference = first_difference(contents.settings, result_settings(books.simulation));
   if (!difference.empty())
     throw InputError(file.string() + ": belongs to a run with other settings: " + difference +

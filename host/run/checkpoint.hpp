@@ -23,4 +23,8 @@ void save_checkpoint(const OutputFolder& folder, RunBooks& books, const FrontMar
 /// for bit that of an uninterrupted run.
 void load_checkpoint(const std::filesystem::path& file, RunBooks& books, FrontMarch& march, bool any_build = false);
 
+/// The same with what is in the file, which is named in messages.
+void restore_checkpoint(const std::filesystem::path& file, const CheckpointContents& contents, RunBooks& books,
+                        FrontMarch& march, bool any_build = false);
+
 }  // namespace tentpole

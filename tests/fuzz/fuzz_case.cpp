@@ -51,9 +51,9 @@ void check(const Simulation& simulation) {
   require(simulation.smallest_edge > 0 && simulation.smallest_edge <= simulation.largest_edge, "edges have a length");
   check_workload(simulation);
   check_probes(simulation);
-  const TentEstimate tents = estimate_tents(simulation, 100);
+  const TentEstimate tents = estimate_tents(simulation, 20);
   require(tents.patches >= 1 && tents.elements >= tents.patches, "a run has tents");
-  if (is_small(simulation.settings, 20) && simulation.degree() <= 2) check_expressions(simulation);
+  if (simulation.degree() <= 2) check_expressions(simulation);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const MemoryFile file(data, size);
   try {
     Case settings = read_case(file.path());
-    if (is_small(settings, 300)) check(make_simulation(std::move(settings)));
+    if (is_small(settings, 24)) check(make_simulation(std::move(settings)));
   } catch (const InputError& error) {
     require(error.what()[0] != '\0', "a refusal has a message");
   } catch (const MeshError& error) {
