@@ -87,6 +87,9 @@ struct Case {
 
   /// Material of a region as the kernels take it. Throws InputError that names the region if it has none.
   Material material(const std::string& region) const;
+
+  /// Length over which damage goes from 0 to 1 [m]: as given, or c_p tau of the fastest material.
+  double process_zone_size() const;
 };
 
 /// Reads and validates a case file. Each override is "section.key=value" with a TOML

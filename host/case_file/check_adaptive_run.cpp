@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "host/case_file/number_text.hpp"
 #include "host/case_file/sections.hpp"
@@ -29,16 +28,6 @@ void check_feature(const SectionContext& context, const Case& settings, const st
                                    " are. Give them other conditions, or set enabled = false.");
 }
 
-/// Length over which damage goes from 0 to 1 [m]: as given, or c_p tau of the slowest material; 0 if unknown.
-double process_zone_size(const SectionContext& context, const Case& settings) {
-  if (settings.fracture.process_zone_size) return *settings.fracture.process_zone_size;
-  if (!context.problems.empty()) return 0;
-  double slowest = HUGE_VAL;
-  for (const auto& [region, properties] : settings.materials)
-    slowest = std::min(slowest, elastic_material(properties, settings.domain.dimension).dilatational_speed());
-  return slowest * settings.fracture.relaxation_time;
-}
-
 /// The longest interval of a generated box [m]; 0 for a mesh file.
 double longest_interval(const DomainSettings& domain) {
   double longest = 0;
@@ -48,8 +37,8 @@ double longest_interval(const DomainSettings& domain) {
 }
 
 void warn_of_coarse_cracks(const SectionContext& context, const Case& settings) {
-  const double wanted = process_zone_size(context, settings) / cells_per_process_zone;
-  if (!(wanted > 0)) return;
+  if (!context.problems.empty()) return;  // materials may be among them
+  const double wanted = settings.process_zone_size() / cells_per_process_zone;
   const std::string advice =
       "Damage needs cells of a quarter of the process zone, which is " + number_text(wanted) + " m. ";
   if (settings.adaptivity.enabled && settings.adaptivity.min_size > wanted)

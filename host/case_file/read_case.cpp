@@ -114,6 +114,13 @@ Material Case::material(const std::string& region) const {
                    toml_key(region) + "]; given: " + given + ".");
 }
 
+double Case::process_zone_size() const {
+  double fastest = 0;
+  for (const auto& [region, properties] : materials)
+    fastest = std::max(fastest, elastic_material(properties, domain.dimension).dilatational_speed());
+  return fracture.process_zone_size.value_or(fastest * fracture.relaxation_time);
+}
+
 void set_seed(Case& settings, std::uint64_t seed) {
   NucleationSettings& nucleation = settings.fracture.nucleation;
   if (!settings.domain.is_box() && nucleation.model == NucleationModel::nowhere)

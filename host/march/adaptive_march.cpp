@@ -38,7 +38,7 @@ AdaptiveLimits make_limits(const Simulation& simulation) {
     limits.max_size = settings.adaptivity.max_size / scaling.length;
   }
   if (settings.fracture.enabled) {
-    const double zone = settings.fracture.process_zone_size.value_or(scaling.speed * settings.fracture.relaxation_time);
+    const double zone = settings.process_zone_size();
     limits.crack_size = std::max(zone / 4 / scaling.length, limits.min_size);
     limits.growth_length = settings.fracture.growth_length.value_or(zone / 4) / scaling.length;
     limits.law = scaled_fracture_law(simulation);

@@ -52,7 +52,8 @@ struct AdaptiveLimits {
 
 /// What a vertex remembers from patch to patch.
 struct VertexMemory {
-  float dissipation = std::numeric_limits<float>::infinity();  ///< largest of its last tent's elements / tolerance
+  float dissipation_ratio =
+      std::numeric_limits<float>::infinity();  ///< largest of its last tent's elements / tolerance
   std::uint8_t keeps_shape = 0;  ///< its last deletion, flip or inclined tent was rejected: the next is a plain tent
   std::uint8_t halvings = 0;     ///< of the next pole's height, after patches that failed or stayed above tolerance
 };

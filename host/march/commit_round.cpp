@@ -42,7 +42,7 @@ class RoundCommit {
     state_.counts.min_size_hits += patch.verdict.min_size_hits;
     VertexMemory& memory = state_.memory[patch.plan.vertex];
     memory = {};
-    memory.dissipation = patch.verdict.dissipation;
+    memory.dissipation_ratio = patch.verdict.dissipation_ratio;
     count(patch.plan.operation);
     if (patch.plan.is_tent())
       accept_tent(patch);
@@ -156,7 +156,7 @@ class RoundCommit {
     }
     ++state_.counts.rejected;
     VertexMemory& memory = state_.memory[patch.plan.vertex];
-    memory.dissipation = VertexMemory{}.dissipation;
+    memory.dissipation_ratio = VertexMemory{}.dissipation_ratio;
     memory.keeps_shape = !is_tent || (memory.keeps_shape && !changed);
     if (shorten) ++memory.halvings;
     const PatchDescriptor& descriptor = round_.descriptor(patch);

@@ -36,7 +36,7 @@ void judge_dissipation(const AdaptiveState& state, const PatchPlan& plan, const 
       ++verdict.min_size_hits;
     }
   }
-  if (plan.is_tent()) verdict.dissipation = static_cast<float>(largest / state.limits.tolerance);
+  if (plan.is_tent()) verdict.dissipation_ratio = static_cast<float>(largest / state.limits.tolerance);
 }
 
 /// Damage that grows needs cells of crack_size and steps of max_damage_step. A surface at rest may have had larger

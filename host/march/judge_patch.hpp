@@ -14,10 +14,10 @@ inline constexpr int max_halvings = 20;
 /// What becomes of a solved patch.
 struct PatchVerdict {
   bool is_accepted = true;
-  bool is_solved = true;                           ///< false: the kernel reports a status; it may not be accepted
-  std::vector<FootprintCell> refine;               ///< cells to be split first
-  bool shorten = false;                            ///< the next pole at the vertex is to have half the height
-  float dissipation = VertexMemory{}.dissipation;  ///< largest of a tent's elements / tolerance
+  bool is_solved = true;              ///< false: the kernel reports a status; it may not be accepted
+  std::vector<FootprintCell> refine;  ///< cells to be split first
+  bool shorten = false;               ///< the next pole at the vertex is to have half the height
+  float dissipation_ratio = VertexMemory{}.dissipation_ratio;  ///< largest of a tent's elements / tolerance
   int min_size_hits = 0;
 };
 

@@ -63,7 +63,8 @@ std::optional<FlipPlan> best_flip(const AdaptiveFront& front, std::int32_t verte
 
 double tent_top(const AdaptiveState& state, std::int32_t vertex) {
   const double bottom = state.front.time(vertex);
-  const bool is_still = state.memory[vertex].dissipation < still_dissipation && !is_near_active_crack(state, vertex);
+  const bool is_still =
+      state.memory[vertex].dissipation_ratio < still_dissipation && !is_near_active_crack(state, vertex);
   double top = state.front.pole_top_time(vertex, state.books.simulation.scaled_end_time(),
                                          is_still ? Pitch::full : Pitch::gentle);
   if (touches_active_crack(state, vertex)) top = std::min(top, bottom + state.limits.max_pole_height);
@@ -78,7 +79,7 @@ PatchPlan plan_patch(const AdaptiveState& state, std::int32_t vertex) {
   const FrontMesh& mesh = state.front.mesh();
   PatchPlan plan;
   plan.vertex = vertex;
-  if (state.memory[vertex].dissipation < state.books.simulation.settings.adaptivity.coarsening) {
+  if (state.memory[vertex].dissipation_ratio < state.books.simulation.settings.adaptivity.coarsening) {
     DeletionLimits limits;
     limits.longest_edge = coarse_limit(state, vertex);
     if (std::optional<CellExchange> deletion = state.front.plan_deletion(vertex, limits)) {

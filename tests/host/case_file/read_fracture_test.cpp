@@ -122,6 +122,17 @@ TEST(ReadFracture, LawHasUsualDefaults) {
   EXPECT_FALSE(fracture.growth_length.has_value());
 }
 
+TEST(ReadFracture, ProcessZoneIsThatOfTheFastestMaterialUnlessGiven) {
+  Case settings = AdaptiveCase("one_dimension.toml", law).settings;
+  const Material material = elastic_material(settings.materials.begin()->second, 1);
+  EXPECT_DOUBLE_EQ(settings.process_zone_size(), 2 * material.dilatational_speed());
+  settings.materials["stiff"] = settings.materials.begin()->second;
+  settings.materials["stiff"].density /= 4;
+  EXPECT_DOUBLE_EQ(settings.process_zone_size(), 4 * material.dilatational_speed());
+  settings.fracture.process_zone_size = 0.25;
+  EXPECT_EQ(settings.process_zone_size(), 0.25);
+}
+
 TEST(ReadFracture, WeibullDefectsHaveALocationAndNoUpperBound) {
   const std::string section = "fracture.nucleation.";
   const AdaptiveCase bar("one_dimension.toml",

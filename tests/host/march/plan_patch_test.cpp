@@ -26,7 +26,7 @@ class PoleHeight : public ::testing::Test {
   /// Puts an edge of a crack at the vertex, whose last patch was still; nothing is deleted.
   void crack_still_vertex() {
     front_.state.limits.max_size = 0;
-    memory().dissipation = 0;
+    memory().dissipation_ratio = 0;
     front_.state.front.mark_crack(vertex_, front_.state.front.mesh().neighbors(vertex_).front());
     front_.state.follow_front();
   }
@@ -45,9 +45,9 @@ TEST_F(PoleHeight, IsGentleUntilTheDissipationIsKnown) {
 TEST_F(PoleHeight, IsFullWhereThePatchBeforeWasStill) {
   const double coarsening = front_.simulation.settings.adaptivity.coarsening;
   front_.state.limits.max_size = 0;  // nothing is deleted
-  memory().dissipation = static_cast<float>(0.9 * coarsening);
+  memory().dissipation_ratio = static_cast<float>(0.9 * coarsening);
   EXPECT_EQ(height(), limit(Pitch::gentle));
-  memory().dissipation = 0;
+  memory().dissipation_ratio = 0;
   EXPECT_EQ(height(), limit(Pitch::full));
 }
 
