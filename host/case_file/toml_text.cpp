@@ -44,9 +44,9 @@ class TomlTextScanner {
       case Part::comment:
         return pass_character(size);
       case Part::basic:
-        return is_escape() ? pass_ascii(2) : step_quoted(size, "\"");
+        return step_with_escapes(size, "\"");
       case Part::long_basic:
-        return is_escape() ? pass_ascii(2) : step_quoted(size, "\"\"\"");
+        return step_with_escapes(size, "\"\"\"");
       case Part::literal:
         return step_quoted(size, "'");
       case Part::long_literal:
@@ -57,6 +57,17 @@ class TomlTextScanner {
   /// A backslash that keeps a quotation mark or backslash behind it from ending the text.
   bool is_escape() const { return is_at("\\\"") || is_at("\\\\"); }
 
+  /// The parser skips blanks and ends of lines behind a backslash, and takes for granted that the next letter is ASCII.
+  void step_with_escapes(std::size_t size, std::string_view end) {
+    if (skips_blanks_ && size > 1)
+      return report(
+          "a letter beyond ASCII follows a backslash or the blanks behind one. Double the backslash, or write the "
+          "text without it.");
+    const bool is_blank = is_at(" ") || is_at("\t") || is_at("\r");
+    skips_blanks_ = (skips_blanks_ && is_blank) || (is_at("\\") && !is_escape());
+    return is_escape() ? pass_ascii(2) : step_quoted(size, end);
+  }
+
   void end_line() {
     rest_.remove_prefix(1);
     ++line_;
@@ -65,6 +76,7 @@ class TomlTextScanner {
     is_line_empty_ = true;
     if (is_header_) depth_ = 0;
     is_header_ = false;
+    if (part_ != Part::long_basic) skips_blanks_ = false;
     if (part_ != Part::long_basic && part_ != Part::long_literal) part_ = Part::plain;
   }
 
@@ -114,6 +126,7 @@ class TomlTextScanner {
   int depth_ = 0;
   int num_parts_ = 1;          ///< of the dotted key at hand
   bool is_line_empty_ = true;  ///< up to here
+  bool skips_blanks_ = false;  ///< between a backslash in a text and the next letter
   bool is_header_ = false;     ///< the line began with a bracket: what it leaves open ends with it
   std::optional<TomlTextFault> fault_;
 };

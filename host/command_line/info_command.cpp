@@ -105,7 +105,8 @@ int info_command(const fs::path& path) {
   } else if (extension == ".vtkhdf") {
     describe_snapshot(path);
   } else if (extension == ".h5") {
-    std::cout << "data sets of the checkpoint\n" << text_table(list_hdf5_contents(path), "lr");
+    const Rows contents = list_hdf5_contents(path);
+    std::cout << "data sets of the checkpoint\n" << text_table(contents, "lr");
   } else if (extension == ".csv") {
     describe_table(path);
   } else {

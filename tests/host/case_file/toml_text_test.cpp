@@ -38,6 +38,14 @@ TEST(TomlText, LettersBeyondAsciiStandInQuotationMarksAndComments) {
   expect_fault("a = 1\xc2\xa0\n", 1, 6, "needs quotation marks");  // a blank that does not break
 }
 
+TEST(TomlText, LettersBeyondAsciiDoNotFollowABackslash) {
+  expect_fault("a = \"\"\"x\\ß\"\"\"", 1, 10, "follows a backslash");
+  expect_fault("a = \"x\\  ﹿ\"", 1, 10, "follows a backslash");
+  expect_fault("a = \"\"\"x \\\n\t ß\"\"\"", 2, 3, "follows a backslash");
+  expect_sound("a = \"\"\"x \\\n\t yß \\\\ß \\nß\"\"\"\nb = '\\ß'\n");
+  expect_sound("a = \"x\\\"\nb = \"ß\"\n");  // the text stands open: no TOML, but nothing is skipped on the next line
+}
+
 TEST(TomlText, BytesThatAreNoUtf8AreRefusedEverywhere) {
   for (const std::string bad : {"\xff", "\x80", "\xc0\xaf", "\xe2\x82", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe4"}) {
     expect_fault("a = 1\n" + bad, 2, 1, "no UTF-8");

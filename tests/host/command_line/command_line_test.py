@@ -293,7 +293,10 @@ class Info(ProgramTest):
         (self.folder / "r/snapshot_0001.vtkhdf").write_bytes(b"noise")
         (self.folder / "r/summary.json").write_text("noise")
         (self.folder / "r/probe_mid.csv").write_text("time,ux\n0,zero\n")
-        for name in ("snapshot_0001.vtkhdf", "summary.json", "probe_mid.csv"):
+        whole = (self.folder / "r/snapshot_0002.vtkhdf").read_bytes()
+        (self.folder / "r/snapshot_0002.vtkhdf").write_bytes(whole[:len(whole) // 2])
+        (self.folder / "r/checkpoint.h5").write_bytes(whole[:len(whole) // 2])
+        for name in ("snapshot_0001.vtkhdf", "snapshot_0002.vtkhdf", "checkpoint.h5", "summary.json", "probe_mid.csv"):
             self.assertIn(name, self.refused("info", f"r/{name}"))
 
 
