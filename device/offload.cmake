@@ -31,6 +31,7 @@ else()
 endif()
 
 # --- device images ---------------------------------------------------------------------------------------------------
+include(${CMAKE_CURRENT_LIST_DIR}/cuda_toolkit.cmake)
 add_library(tentpole_offload INTERFACE)
 target_link_libraries(tentpole_offload INTERFACE tentpole_flags)
 
@@ -70,11 +71,12 @@ if(TENTPOLE_OFFLOAD)
     get_filename_component(TENTPOLE_CUDA ${cuda_bin} DIRECTORY)
     if(EXISTS ${TENTPOLE_CUDA}/nvvm/libdevice AND EXISTS ${gpu_runtime})
       set(TENTPOLE_HAS_NVPTX ON)
+      tentpole_cuda_toolkit(cuda_path ${TENTPOLE_CUDA})
       list(APPEND images nvptx64-nvidia-cuda)
       # Clang warns of every toolkit newer than itself, though it only takes ptxas and libdevice from it. It looks for
       # the device runtime in LIBRARY_PATH alone, so the path is given.
       set(TENTPOLE_NVPTX_OPTIONS -Xopenmp-target=nvptx64-nvidia-cuda -march=${TENTPOLE_GPU_ARCH}
-        --cuda-path=${TENTPOLE_CUDA} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime})
+        --cuda-path=${cuda_path} -Wno-unknown-cuda-version --libomptarget-nvptx-bc-path=${gpu_runtime})
       list(APPEND image_options ${TENTPOLE_NVPTX_OPTIONS})
       set(gpu_code_options "SHELL:-fopenmp-cuda-mode -Xcuda-ptxas -maxrregcount=${TENTPOLE_GPU_REGISTERS}")
     endif()

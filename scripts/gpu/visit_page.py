@@ -5,6 +5,7 @@ SIZES = [(2, 2), (2, 3), (3, 2), (3, 3)]  # D, k of the sweeps
 STOPPED = ("124", "137", "143")
 # What the steps are, by the beginning of their names; the longest one counts.
 MEANING = {"machine": "processor, memory, GPU, driver", "unpack": "the archive", "devices": "what the OpenMP runtime sees, with copy rates",
+           "devices_layout": "the same, images loaded in the layout of CUDA 13",
            "kernels": "tests of all kernels on the device", "launch_": "whole run on host and device, launches as large as a GPU takes",
            "device_tests": "tests of memory and copies", "traffic_tests": "counted bytes and launches against those of the runtime",
            "patches_": "sweep over batch and teams, one warp a team", "more_patches_": "the same with more lanes a team",
@@ -72,7 +73,7 @@ def _missing(results):
 
 
 def _machine(results):
-    parts = [_verbatim(step.output) for step in map(results.step, ("machine", "devices")) if step and step.output]
+    parts = [_verbatim(step.output) for step in map(results.step, ("machine", "devices", "devices_layout")) if step and step.output]
     contexts = [(name, file.context) for name, file in results.benchmarks.items() if file.context.get("device")]
     if contexts:
         name, context = contexts[0]

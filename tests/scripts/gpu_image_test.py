@@ -4,6 +4,7 @@ BAD_PROGRAM is bad_kernel.cpp as the compiler made it, where the build has nvptx
 """
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -12,6 +13,10 @@ import unittest
 import synthetic_cubin
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
+sys.path.insert(0, str(SOURCE / "scripts"))
+from gpu.cubin import Cubin  # noqa: E402
+from gpu.earlier_layout import in_earlier_layout  # noqa: E402
+
 BAD_PROGRAM = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
 PATCHES = "_ZN8tentpole12_GLOBAL__N_110run_on_gpuILi2EEEvNS_15PatchSolverTaskEi"
 ROWS = "_ZN8tentpole14target_runtime9pack_rowsEiNS0_8SlotRowsE"
@@ -117,6 +122,28 @@ class CheckGpuImage(unittest.TestCase):
         for text in ("", "registers = 128", LIMITS.replace("stack = 0", 'stack = "0"'), LIMITS + "["):
             (self.folder / "limits.toml").write_text(text)
             self.assertIn("limits.toml: ", self.check(self.image.content(), 2))
+
+    def new_layout(self, architecture=90):
+        """The image as CUDA 13 writes it: ABI version 8, architecture in the second byte of the flags."""
+        self.image.barriers = {self.patches: 1, self.rows: 0}
+        content = bytearray(self.image.content())
+        content[7], content[8] = 0x41, 8
+        struct.pack_into("<I", content, 48, 0x06000004 | architecture << 8)
+        return bytes(content)
+
+    def test_image_of_cuda_13_is_written_in_the_layout_of_cuda_12(self):
+        content = self.new_layout()
+        earlier = in_earlier_layout(content)
+        self.assertEqual((earlier[7], earlier[8]), (0x33, 7))
+        self.assertEqual(struct.unpack_from("<I", earlier, 48)[0], 0x5A055A)  # as ptxas 12.9 marks sm_90
+        self.assertEqual(Cubin(earlier).kernels(), Cubin(content).kernels())
+        flags = {place: (struct.unpack_from("<Q", earlier, place + 8)[0], struct.unpack_from("<Q", content, place + 8)[0])
+                 for place in range(struct.unpack_from("<Q", content, 40)[0], len(content), 64)}
+        self.assertEqual([new ^ old for new, old in flags.values() if new != old], [1 << 20], "the kernel with a barrier, and no other")
+
+    def test_other_images_keep_their_layout(self):
+        for content in (self.image.content(), self.new_layout(architecture=100), b"\x7fELF\x02", b""):
+            self.assertEqual(in_earlier_layout(content), content)
 
     @unittest.skipUnless(BAD_PROGRAM, "this build has no nvptx image")
     def test_a_bad_kernel_of_the_compiler_fails_on_every_count(self):

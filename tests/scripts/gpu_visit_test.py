@@ -37,8 +37,8 @@ NAMES = {"bench_patch": ["device_patches/D:2/k:2/patches:64/teams:2/lanes:1/real
          "bench_lu": ["lu/lapack/d:3/k:3/K:1/threads:1/manual_time"]}
 
 
-def pack(folder, image):
-    """gpu_bundle.tar.xz with the pretenders."""
+def pack(folder, image, shared=()):
+    """gpu_bundle.tar.xz with the pretenders, and files of these names in share/."""
     listing = "cat_names() {\n  case $1 in\n" + "".join(
         f"    {driver}) printf '%s\\n' {' '.join(names)} ;;\n" for driver, names in NAMES.items()) + "  esac\n}\n"
     bundle = folder / "gpu_bundle"
@@ -48,6 +48,8 @@ def pack(folder, image):
         (bundle / "bin" / name).write_text(PROGRAM.replace("\n", "\n" + listing, 1))
         (bundle / "bin" / name).chmod(0o755)
     (bundle / "share/bundle.txt").write_text(f"commit: abc1234\nimage: {image}\n")
+    for name in shared:
+        (bundle / "share" / name).write_text(name)
     with tarfile.open(folder / "gpu_bundle.tar.xz", "w:xz") as archive:
         archive.add(bundle, "gpu_bundle")
     shutil.rmtree(bundle)
@@ -152,6 +154,12 @@ class GpuVisit(unittest.TestCase):
     def test_machine_without_a_gpu_refuses_its_image(self):
         self.visit(1, image="nvptx")
         self.assertIn("no GPU takes the image of this bundle", self.output)
+
+    def test_images_go_back_to_their_own_layout_where_the_driver_refuses_the_earlier_one(self):
+        pack(self.folder, "nvptx", shared=["libcuda.so"])
+        lists = "tentpole [ -s ${LD_LIBRARY_PATH%%:*}/libcuda.so ] && [ ! -L ${LD_LIBRARY_PATH%%:*}/libcuda.so ] && echo '0  GPU (nvptx64 image)'"
+        steps = self.visit(FAKE=lists, ONLY="^lu$")
+        self.assertEqual(list(steps), ["machine", "unpack", "devices", "devices_layout", "lu"])
 
     def test_broken_list_of_devices_does_not_end_a_visit_to_a_gpu(self):
         steps = self.visit(1, image="nvptx", FAKE="tentpole exit 139", ONLY="^lu$")

@@ -9,7 +9,7 @@ class Image:
     """Kernels with their figures and calls; content() is the linked image."""
 
     def __init__(self):
-        self.kernels, self.calls, self.pointer_calls = {}, [], []
+        self.kernels, self.calls, self.pointer_calls, self.barriers = {}, [], [], {}
 
     def kernel(self, function, mode=2, registers=128, stack=1000, shared=0):
         symbol = f"__omp_offloading_fe00_a9a107_{function}_l5"
@@ -32,6 +32,9 @@ class Image:
                     ".nv.callgraph": (1, self._callgraph(index))}
         for symbol, kernel in self.kernels.items():
             sections[".nv.shared." + symbol] = (8, kernel[3])
+        for symbol, num_barriers in self.barriers.items():
+            sections[".text." + symbol] = (1, bytes(16))
+            sections[".nv.info." + symbol] = (1, struct.pack("<BBHI", 4, 0x37, 4, 0x82) + struct.pack("<BBH", 2, 0x4C, num_barriers))
         for caller, callee, places in self.calls:
             table = sections.get(".rela.text." + caller, (4, b""))[1]
             sections[".rela.text." + caller] = (4, table + places * struct.pack("<QQQ", 0, index[callee] << 32 | R_CALL, 0))
