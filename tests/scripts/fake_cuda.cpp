@@ -51,7 +51,9 @@ int cuModuleLoadDataEx(void**, const unsigned char* image, unsigned, int*, void*
 }
 
 #define TENTPOLE_SUCCEED(name) \
-  int name() { return 0; }
+  int name() {                 \
+    return 0;                  \
+  }
 TENTPOLE_SUCCEED(cuInit)
 TENTPOLE_SUCCEED(cuGetErrorString)
 TENTPOLE_SUCCEED(cuCtxEnablePeerAccess)

@@ -81,8 +81,7 @@ TEST_P(FractureOn, ADeviceEqualsTheHost) {
 TEST_P(FractureOn, LanesThatShareAPatchEqualOneThread) {
   for (int degree = 1; degree <= 3; ++degree) {
     const TentBatch batch = sample(GetParam(), degree, 2), expected = solved(batch);
-    for (const int lanes : {1, 2, 7, 32})
-      expect_equal(expected, GetParam() == 1 ? solved_together<1>(batch, lanes) : solved_together<2>(batch, lanes));
+    for (const int lanes : {1, 2, 7, 32}) expect_equal(expected, solved_together(batch, lanes));
   }
 }
 

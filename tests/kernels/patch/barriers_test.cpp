@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/status.hpp"
+#include "kernels/patch/solve_patch.hpp"
 #include "tests/kernels/solved_together.hpp"
 
 namespace tentpole {
