@@ -93,12 +93,14 @@ inline void apply_coupling(const AmplitudeSystem& system, const double* from, do
   for (int i = lanes.first(); i < system.num_unknowns(); i += lanes.count()) to[i] = from[i] - to[i];
 }
 
-/// Classical Gram-Schmidt, four basis vectors at a time: column[i] = basis_i . next, then next -= sum_i column[i]
-/// basis_i. One pass suffices because I - T is well conditioned; the residual check of the patch would show a loss.
-/// Before and after it a lane knows its own entries of `next` only.
+/// Classical Gram-Schmidt of vector `count` of the basis, `next`, against those before it, four at a time: column[i] =
+/// basis_i . next, then next -= sum_i column[i] basis_i. One pass suffices because I - T is well conditioned; the
+/// residual check of the patch would show a loss. Before and after it a lane knows its own entries of `next` only.
 template <class Lanes>
-inline void orthogonalize(const double* basis, int n, int count, double* next, double* column, double* partial,
-                          const Lanes& lanes) {
+inline void orthogonalize(const CouplingScratch& scratch, int n, int count, const Lanes& lanes) {
+  const double* basis = scratch.basis;
+  double *next = scratch.basis + static_cast<long>(count) * n, *column = scratch.column(count - 1),
+         *partial = scratch.partial;
   if constexpr (Lanes::cooperative) {
     for (int i = 0; i < count; ++i)
       partial[i * lanes.count() + lanes.first()] = dot_share(basis + static_cast<long>(i) * n, next, n, lanes);
@@ -182,7 +184,7 @@ TENTPOLE_STEP int solve_unknowns(const AmplitudeSystem& system, double* x, const
   while (count < limit && residual > tolerance * norm) {
     double* next = scratch.basis + static_cast<long>(count + 1) * n;
     apply_coupling(system, scratch.basis + static_cast<long>(count) * n, x, scratch.product, next, lanes);
-    orthogonalize(scratch.basis, n, count + 1, next, scratch.column(count), scratch.partial, lanes);
+    orthogonalize(scratch, n, count + 1, lanes);
     const double length = sqrt(shared_dot(next, next, n, scratch.partial, lanes));
     if (length > 0)
       for (int j = lanes.first(); j < n; j += lanes.count()) next[j] /= length;

@@ -36,11 +36,16 @@ inline void forward_strip(double* matrix, long stride, int column, int num_rows,
   }
 }
 
-/// Rows from `first` on lose the contribution of the packed rows 0..length.
+/// Rows first, ..., last - 1.
+struct RowRange {
+  int first;
+  int last;
+};
+
+/// These rows lose the contribution of the packed rows 0..length.
 template <int vectors>
-inline void update_rows(double* matrix, long stride, int column, int first, int last, const double* packed,
-                        int length) {
-  for (int row = first; row < last; row += 4) {
+inline void update_rows(double* matrix, long stride, int column, RowRange rows, const double* packed, int length) {
+  for (int row = rows.first; row < rows.last; row += 4) {
     Vector4 tile[4][vectors];
     load_tile<vectors>(matrix + row * stride + column, stride, tile);
     subtract_product<vectors>(matrix + row * stride, stride, packed, length, tile);
@@ -50,9 +55,9 @@ inline void update_rows(double* matrix, long stride, int column, int first, int 
 
 /// Rows below the diagonal block: update, then L = C U^-1.
 template <int vectors>
-inline void panel_rows(double* matrix, long stride, int column, int first, int last, const double* packed,
+inline void panel_rows(double* matrix, long stride, int column, RowRange rows, const double* packed,
                        const double (&inverse_upper)[4 * vectors][4 * vectors]) {
-  for (int row = first; row < last; row += 4) {
+  for (int row = rows.first; row < rows.last; row += 4) {
     Vector4 tile[4][vectors];
     double* target = matrix + row * stride + column;
     load_tile<vectors>(target, stride, tile);
@@ -72,15 +77,15 @@ template <int vectors>
 inline bool eliminate_strip(double* matrix, long stride, int num_pivots, int num_rows, int column, double* packed) {
   if (column >= num_pivots) {
     forward_strip<vectors>(matrix, stride, column, num_pivots, packed);
-    update_rows<vectors>(matrix, stride, column, num_pivots, num_rows, packed, num_pivots);
+    update_rows<vectors>(matrix, stride, column, {num_pivots, num_rows}, packed, num_pivots);
     return true;
   }
   constexpr int width = 4 * vectors;
   forward_strip<vectors>(matrix, stride, column, column, packed);
-  update_rows<vectors>(matrix, stride, column, column, column + width, packed, column);
+  update_rows<vectors>(matrix, stride, column, {column, column + width}, packed, column);
   double inverse_upper[width][width];
   const bool regular = factor_diagonal_block<width>(matrix + column * stride + column, stride, inverse_upper);
-  panel_rows<vectors>(matrix, stride, column, column + width, num_rows, packed, inverse_upper);
+  panel_rows<vectors>(matrix, stride, column, {column + width, num_rows}, packed, inverse_upper);
   return regular;
 }
 

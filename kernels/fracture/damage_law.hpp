@@ -31,15 +31,23 @@ inline double target_damage(const FractureLaw& law, double effective) {
 /// Largest number of Gauss points in a panel.
 inline constexpr int max_panel_points = 7;
 
+/// Gauss rule of a panel, on [0, 1]; the weights sum to 1.
+struct PanelRule {
+  int num_points;
+  const double* abscissa;  ///< [num_points]
+  const double* weight;    ///< [num_points]
+};
+
 /// Integrates (2.10), dD/dt = (1 - exp(-a <f - D>_+)) / tau, over one panel of time. In q = exp(-a D) the law is
 /// linear, q' = -(a / tau) <q - exp(-a f)>_+; with exp(-a f) replaced by its linear fit in the panel (least squares
 /// over the Gauss points) q follows in closed form; of that and the previous q the smaller is taken, but none below the
 /// smallest exp(-a f). So D grows monotonically and never beyond the largest f, for panels of any length; constant f is
 /// exact.
-///   abscissa, weight [num_points]: Gauss rule on [0, 1], weights sum to 1;  target [num_points]: f at the points;
-///   damage [num_points]: D at the points, written. Returns q at the end of the panel.
-inline double integrate_damage_panel(const FractureLaw& law, double duration, int num_points, const double* abscissa,
-                                     const double* weight, const double* target, double q_start, double* damage) {
+///   target [num_points]: f at the points;  damage [num_points]: D at the points, written.
+/// Returns q at the end of the panel.
+inline double integrate_damage_panel(const FractureLaw& law, double duration, const PanelRule& rule,
+                                     const double* target, double q_start, double* damage) {
+  const auto [num_points, abscissa, weight] = rule;
   const double a = law.delay_exponent, rate = a / law.relaxation_time;
   double mean = 0, moment = 0, square = 0, lowest = 1;
   for (int p = 0; p < num_points; ++p) {

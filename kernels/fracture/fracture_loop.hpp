@@ -37,7 +37,7 @@ inline void integrate_line(const FractureFacet& facet, const FractureLaw& law, c
       const PointTraction traction = traction_at<D>(workspace, first + p);
       target[p] = target_damage(law, effective_traction(law, link.normal_sign * traction.normal, traction.tangential));
     }
-    q = integrate_damage_panel(law, duration, per_panel, tables.panel_point, tables.panel_weight, target, q, damage);
+    q = integrate_damage_panel(law, duration, {per_panel, tables.panel_point, tables.panel_weight}, target, q, damage);
     for (int p = 0; p < per_panel; ++p) {
       FracturePoint& point = workspace.points[first + p];
       const PointTraction traction = traction_at<D>(workspace, first + p);

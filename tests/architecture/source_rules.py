@@ -26,6 +26,11 @@ INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 FAULTY_SCHEDULE = re.compile(r"schedule\s*\(\s*(static\s*,\s*1\s*\)|(nonmonotonic\s*:\s*)?(dynamic|guided)\b)")
 MACHINE_PATH = re.compile(r"(?<![\w.})>*-])/(work|root|home|tmp|Users)(?![\w.-])")
 FIXED_FOLDER = re.compile(r"\bTempDir\s*\(|\btemp_directory_path\b|\bmkdtemp\b|\btmpnam\b|\bgettempdir\b|\btempfile\.mktemp\b")
+MOST_LINES_OF_A_FILE, MOST_LINES_OF_A_FUNCTION, MOST_ARGUMENTS = 350, 60, 6
+BLOCK = re.compile(r"( *)(?!namespace|class|struct|enum|union|extern|#|//)\S.*\{$")
+# The head of a function: its name, after a type, and its arguments, up to the body or the end of the declaration.
+FUNCTION_HEAD = re.compile(r"^(?!return|else|#|//)[\w:<>,\[\]&* ]*?[\w>&*\]] [&*]?(\w+)\(((?:[^(){};]|\([^(){};]*\))*)\)[^(){};=]*[{;]",
+                           re.MULTILINE)
 UNFINISHED = re.compile(r"\b(TODO|FIXME)\b")
 TEXT_SUFFIXES = {".cpp", ".hpp", ".cmake", ".txt", ".md", ".toml", ".json", ".py", ".in", ".csv", ""}
 
@@ -145,12 +150,44 @@ def temporary(root):
     return matching_lines(root, checked, FIXED_FOLDER, message)
 
 
+def _num_arguments(text):
+    """Commas outside of brackets, and one more."""
+    depth = count = 0
+    for letter in text:
+        depth += (letter in "<([{") - (letter in ">)]}")
+        count += letter == "," and depth == 0
+    return count + bool(text.strip())
+
+
+def sizes(root):
+    """Files, functions and lists of arguments that fit in a head. A function is a block that ends where it is indented."""
+    found = []
+    for path in files(root, {".hpp", ".cpp"}, {"common", "kernels", "device", "host"}):
+        name, text = path.relative_to(root), path.read_text(encoding="utf-8")
+        lines = text.splitlines()
+        if len(lines) > MOST_LINES_OF_A_FILE:
+            found.append(f"{name}:1: has {len(lines)} lines, more than {MOST_LINES_OF_A_FILE}: which two ideas are in it?")
+        for number, line in enumerate(lines):
+            match = BLOCK.match(line)
+            if not match or len(match[1]) > 2:
+                continue
+            length = next((i for i, other in enumerate(lines[number:]) if other.startswith(match[1] + "}")), 0) + 1
+            if length > MOST_LINES_OF_A_FUNCTION:
+                found.append(f"{name}:{number + 1}: a function of {length} lines, more than {MOST_LINES_OF_A_FUNCTION}: name its steps")
+        if name.parts[0] == "kernels":
+            for match in FUNCTION_HEAD.finditer(text):
+                if _num_arguments(match[2]) > MOST_ARGUMENTS:
+                    number = text.count("\n", 0, match.start()) + 1
+                    found.append(f"{name}:{number}: {match[1]} has more than {MOST_ARGUMENTS} arguments: a struct is missing")
+    return found
+
+
 def unfinished(root):
     message = "unfinished work is not marked in the source, finish it or open an issue"
     return matching_lines(root, files(root, TEXT_SUFFIXES), UNFINISHED, message)
 
 
-RULES = {rule.__name__: rule for rule in (includes, rooms, circles, listed, schedule, paths, temporary, unfinished)}
+RULES = {rule.__name__: rule for rule in (includes, rooms, circles, listed, sizes, schedule, paths, temporary, unfinished)}
 
 
 def main(root, *names):

@@ -59,6 +59,19 @@ class SourceRules(unittest.TestCase):
                 "host/bench_b.cpp": "", "host/mesh/extra_a.cpp": "", "tests/c_test.cpp": ""}
         self.assertEqual(self.findings("listed", tree), ["host/mesh/extra_a.cpp:1", "tests/c_test.cpp:1"])
 
+    def test_files_and_functions_have_a_length(self):
+        long_function = "int f() {\n" + 60 * "  g();\n" + "}\n"
+        method = "class A {\n  void f() {\n" + 58 * "    g();\n" + "  }\n  void h() {\n" + 59 * "    g();\n" + "  }\n};\n"
+        tree = {"host/a.cpp": "namespace b {\n" + long_function.replace("  g();\n", "", 2) + long_function + "}\n", "host/b.cpp": method,
+                "device/c.cpp": 351 * "int x;\n", "common/d.hpp": 350 * "int x;\n", "tests/e.cpp": long_function}
+        self.assertEqual(self.findings("sizes", tree), ["device/c.cpp:1", "host/a.cpp:62", "host/b.cpp:62"])
+
+    def test_functions_of_kernels_have_six_arguments_at_most(self):
+        six, seven = "int a, F<int, int> b, int (&c)[2], int d, int e, int f", "int a, int b, int c, int d,\n    int e, int f, int g"
+        tree = {"kernels/a.hpp": f"void six({six});\ninline double seven({seven}) {{\n  call(1, 2, 3, 4, 5, 6, 7);\n}}\n",
+                "host/b.hpp": f"void seven({seven});\n"}
+        self.assertEqual(self.findings("sizes", tree), ["kernels/a.hpp:2"])
+
     def test_static_schedule_of_chunk_one_is_found_in_any_spelling(self):
         tree = {"kernels/a.cpp": "#pragma omp for schedule(static,1)\n#pragma omp for schedule( static , 1 )\n",
                 "kernels/b.cpp": "#pragma omp parallel for schedule(static, 16)\n#pragma omp for schedule(static)\n"}

@@ -96,8 +96,8 @@ inline void flux_through_facet(const PatchBatch& batch, const PatchWorkspace<D>&
     const VerticalFacet<D>& facet = op.vertical[vertical];
     const bool is_interior = facet.port != none;
     if (is_interior && !incoming) return;
-    vertical_residual<D>(workspace, own, facet, is_interior ? incoming + facet.port * per_port : nullptr,
-                         batch.prescribed, incoming != nullptr, m);
+    const double* amplitudes = is_interior ? incoming + facet.port * per_port : nullptr;
+    vertical_residual<D>(workspace, own, facet, VerticalSource{amplitudes, batch.prescribed, incoming != nullptr}, m);
   } else if (inclined < op.num_inclined && incoming) {
     inclined_residual<D>(workspace, own, op.inclined[inclined], incoming + op.inclined[inclined].port * per_port, m);
   }

@@ -73,20 +73,27 @@ inline void inclined_residual(const PatchWorkspace<D>& workspace, const ElementW
     for (int l = 0; l < d; ++l) store4(own.flux(facet.facet) + (l * D + i) * stride + m, flux[i][l]);
 }
 
-/// Data of one component of four modes, with which the jump of a vertical facet is
+/// What the residual of a vertical facet is made of.
+struct VerticalSource {
+  const double* incoming;    ///< interior: amplitudes of this facet [c][m]
+  const double* prescribed;  ///< boundary: data blocks, in them [i][m]
+  bool has_solution;         ///< or the solution counts as zero
+};
+
+/// Data of component c, four modes, with which the jump of a vertical facet is
 ///   s* - s = data - trial(own)
-/// (facet_weights.hpp). incoming: amplitudes of this facet [c][m] (interior); prescribed: blocks [i][m] (boundary).
+/// (facet_weights.hpp).
 template <int D>
-inline Vector4 target_data(const VerticalFacet<D>& facet, double trial_traction, const double* incoming,
-                           const double* prescribed, int num_modes, int c, int m) {
+inline Vector4 target_data(const VerticalFacet<D>& facet, int c, double trial_traction, const VerticalSource& source,
+                           int num_modes, int m) {
   if (facet.port != none) {
     const double scale = trial_traction * sqrt(2 * facet.outer_impedance[c] / facet.measure);
-    return scale * load_modes(incoming + c * num_modes, num_modes, m);
+    return scale * load_modes(source.incoming + c * num_modes, num_modes, m);
   }
   Vector4 data{};
   if (facet.boundary_data == none) return data;
   for (int i = 0; i < D; ++i)
-    data += facet.frame[c][i] * load_modes(prescribed + facet.boundary_data + i * num_modes, num_modes, m);
+    data += facet.frame[c][i] * load_modes(source.prescribed + facet.boundary_data + i * num_modes, num_modes, m);
   if (facet.kind[c] == BoundaryKind::velocity) return facet.impedance[c] * data;
   return facet.kind[c] == BoundaryKind::absorbing ? 0.5 * data : data;
 }
@@ -95,8 +102,7 @@ inline Vector4 target_data(const VerticalFacet<D>& facet, double trial_traction,
 /// the powers v*_c s*_c.
 template <int D>
 inline void vertical_residual(const PatchWorkspace<D>& workspace, const ElementWorkspace<D>& own,
-                              const VerticalFacet<D>& facet, const double* incoming, const double* prescribed,
-                              bool has_solution, int m) {
+                              const VerticalFacet<D>& facet, const VerticalSource& source, int m) {
   constexpr int d = D + 1;
   const int stride = workspace.tables.facet_stride, num_modes = workspace.tables.num_facet_modes;
   const double* gradient = own.gradient(facet.facet);
@@ -105,14 +111,14 @@ inline void vertical_residual(const PatchWorkspace<D>& workspace, const ElementW
     double test_velocity, test_traction, trial_velocity, trial_traction;
     facet_factors<D>(facet, c, test_velocity, test_traction, trial_velocity, trial_traction);
     Vector4 velocity{}, traction{};
-    for (int i = 0; i < D && has_solution; ++i)
+    for (int i = 0; i < D && source.has_solution; ++i)
       for (int l = 0; l < d; ++l) {
         const Vector4 derivative = load4(gradient + (i * d + l) * stride + m);
         velocity += facet.velocity[c][i][l] * derivative;
         traction += facet.traction[c][i][l] * derivative;
       }
-    const Vector4 jump = target_data<D>(facet, trial_traction, incoming, prescribed, num_modes, c, m) -
-                         trial_velocity * velocity - trial_traction * traction;
+    const Vector4 jump = target_data<D>(facet, c, trial_traction, source, num_modes, m) - trial_velocity * velocity -
+                         trial_traction * traction;
     for (int i = 0; i < D; ++i)
       for (int l = 0; l < d; ++l)
         flux[i][l] += (test_velocity * facet.velocity[c][i][l] + test_traction * facet.traction[c][i][l]) * jump;

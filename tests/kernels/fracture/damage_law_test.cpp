@@ -21,7 +21,7 @@ std::vector<double> damage_history(double duration, int num_panels, int num_poin
   double q = std::exp(-law.delay_exponent * start);
   for (int panel = 0; panel < num_panels; ++panel) {
     for (int p = 0; p < num_points; ++p) target[p] = f((panel + rule.points[p]) * duration);
-    q = integrate_damage_panel(law, duration, num_points, rule.points.data(), rule.weights.data(), target.data(), q,
+    q = integrate_damage_panel(law, duration, {num_points, rule.points.data(), rule.weights.data()}, target.data(), q,
                                damage.data());
     history.push_back(-std::log(q) / law.delay_exponent);
   }
@@ -76,7 +76,7 @@ TEST(DamageLaw, PanelsFarShorterThanTheRelaxationTimeLoseNoDigits) {
   slow.relaxation_time = 1e12;
   const double abscissa[] = {0.1, 0.5, 0.9}, weight[] = {0.3, 0.4, 0.3}, target[] = {0.2, 0.5, 0.9};
   double damage[3];
-  const double q = integrate_damage_panel(slow, 1, 3, abscissa, weight, target, std::exp(-1.0), damage);
+  const double q = integrate_damage_panel(slow, 1, {3, abscissa, weight}, target, std::exp(-1.0), damage);
   EXPECT_NEAR(q, std::exp(-1.0), 1e-11);
   for (const double value : damage) EXPECT_NEAR(value, 0.1, 1e-11);
 }

@@ -75,7 +75,7 @@ class FrozenView {
         const IntactPoint& point = intact[first + p];
         target.push_back(target_damage(law, effective_traction(law, normal_part(point), tangential_length(point))));
       }
-      q = integrate_damage_panel(law, duration, panel.num_points(), panel.points.data(), panel.weights.data(),
+      q = integrate_damage_panel(law, duration, {panel.num_points(), panel.points.data(), panel.weights.data()},
                                  target.data(), q, damage.data());
       for (int p = 0; p < panel.num_points(); ++p) {
         const IntactPoint& point = intact[first + p];
