@@ -31,6 +31,7 @@ BLOCK = re.compile(r"( *)(?!namespace|class|struct|enum|union|extern|#|//)\S.*\{
 # The head of a function: its name, after a type, and its arguments, up to the body or the end of the declaration.
 FUNCTION_HEAD = re.compile(r"^(?!return|else|#|//)[\w:<>,\[\]&* ]*?[\w>&*\]] [&*]?(\w+)\(((?:[^(){};]|\([^(){};]*\))*)\)[^(){};=]*[{;]",
                            re.MULTILINE)
+NAMED_FILE = re.compile(r"`((?:common|kernels|device|host|bench|tests|scripts|examples|docs)/[\w./-]+)`")
 UNFINISHED = re.compile(r"\b(TODO|FIXME)\b")
 TEXT_SUFFIXES = {".cpp", ".hpp", ".cmake", ".txt", ".md", ".toml", ".json", ".py", ".in", ".csv", ""}
 
@@ -182,12 +183,26 @@ def sizes(root):
     return found
 
 
+def named(root):
+    """Files that a page names are there. Pages of decisions and measurements speak of their day."""
+    found = []
+    for path in files(root, {".md"}):
+        if path.name == "CHANGELOG.md" or path.parent.name in ("decisions", "measurements"):
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            for name in NAMED_FILE.findall(line):
+                # A name may leave out its suffix.
+                if not any(True for _ in root.glob(name + "*")):
+                    found.append(f"{path.relative_to(root)}:{number}: {name} does not exist")
+    return found
+
+
 def unfinished(root):
     message = "unfinished work is not marked in the source, finish it or open an issue"
     return matching_lines(root, files(root, TEXT_SUFFIXES), UNFINISHED, message)
 
 
-RULES = {rule.__name__: rule for rule in (includes, rooms, circles, listed, sizes, schedule, paths, temporary, unfinished)}
+RULES = {rule.__name__: rule for rule in (includes, rooms, circles, listed, named, sizes, schedule, paths, temporary, unfinished)}
 
 
 def main(root, *names):

@@ -59,6 +59,11 @@ class SourceRules(unittest.TestCase):
                 "host/bench_b.cpp": "", "host/mesh/extra_a.cpp": "", "tests/c_test.cpp": ""}
         self.assertEqual(self.findings("listed", tree), ["host/mesh/extra_a.cpp:1", "tests/c_test.cpp:1"])
 
+    def test_files_that_pages_name_are_there(self):
+        text = "see `host/a.cpp`, `host/a`, `host/b.cpp`\n`host/`, `kernels/c.hpp` and `std/d`\n"
+        tree = {"host/a.cpp": "", "README.md": text, "docs/decisions/1.md": text, "CHANGELOG.md": text}
+        self.assertEqual(self.findings("named", tree), ["README.md:1", "README.md:2"])
+
     def test_files_and_functions_have_a_length(self):
         long_function = "int f() {\n" + 60 * "  g();\n" + "}\n"
         method = "class A {\n  void f() {\n" + 58 * "    g();\n" + "  }\n  void h() {\n" + 59 * "    g();\n" + "  }\n};\n"
