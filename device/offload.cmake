@@ -105,6 +105,7 @@ endif()
 if(TENTPOLE_SANITIZER STREQUAL "address")
   target_compile_options(tentpole_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
     -fno-omit-frame-pointer)
+  target_compile_definitions(tentpole_flags INTERFACE TENTPOLE_ADDRESS_SANITIZER=1)
   target_link_options(tentpole_flags INTERFACE -fsanitize=address,undefined)
   # Allocations that fail must throw as they do elsewhere, not end the program.
   set(TENTPOLE_TEST_ENVIRONMENT ASAN_OPTIONS=allocator_may_return_null=1)
