@@ -140,8 +140,10 @@ std::string why_unused(const GpuDriver& driver, const Gpu& gpu, int image_archit
            ". Make the name: mkdir -p ~/cuda && ln -s " + driver.library +
            " ~/cuda/libcuda.so && export LD_LIBRARY_PATH=~/cuda:$LD_LIBRARY_PATH";
   return "LLVM's offload runtime does not list it. LIBOMPTARGET_DEBUG=1 (a runtime built with it) or "
-         "LIBOMPTARGET_INFO=-1 "
-         "may tell why; a GPU in exclusive mode or in use by another process is a common cause.";
+         "LIBOMPTARGET_INFO=-1 may tell why. Common causes: the GPU is in exclusive mode or used by another process; "
+         "the "
+         "runtime is older than LLVM 22 and cannot read the image, as CUDA 13 links it (docs/gpu.md, The layout of the "
+         "image).";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// A driver of an NVIDIA GPU, as far as LLVM's offload runtime asks before it hands over an image: one GPU of compute
-// capability 9.0. When it gets the image, it says in which layout it is and ends the program.
+// A driver of an NVIDIA GPU, as far as LLVM's offload runtime asks before it hands over an image: one GPU of the
+// architecture TENTPOLE_GPU_ARCHITECTURE, 90 for 9.0. When it gets the image, it says in which layout it is and ends
+// the program.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -37,9 +38,24 @@ int cuDevicePrimaryCtxRetain(void** context, int device) {
   return 0;
 }
 
-/// Warps of 32 lanes, 132 multiprocessors, compute capability 9.0; all other attributes are sizes.
+/// Warps of 32 lanes, 132 multiprocessors, the two parts of the architecture; all other attributes are sizes.
 int cuDeviceGetAttribute(int* value, int attribute, int) {
-  *value = attribute == 10 ? 32 : attribute == 16 ? 132 : attribute == 75 ? 9 : attribute == 76 ? 0 : 1024;
+  switch (attribute) {
+    case 10:
+      *value = 32;
+      break;
+    case 16:
+      *value = 132;
+      break;
+    case 75:
+      *value = TENTPOLE_GPU_ARCHITECTURE / 10;
+      break;
+    case 76:
+      *value = TENTPOLE_GPU_ARCHITECTURE % 10;
+      break;
+    default:
+      *value = 1024;
+  }
   return 0;
 }
 
